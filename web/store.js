@@ -1,0 +1,242 @@
+/**
+ * The page's only state, its undo history and the one animation frame in which everything is redrawn.
+ *
+ * @import { Design, Opened, State, Store, ViewState } from "./types.d.ts"
+ */
+
+/** Undo steps that are kept: a whole lesson, in some hundred kilobytes. */
+const HISTORY = 400;
+
+/** Measures kept in the browser's performance timeline before it is emptied, so that memory does not grow. */
+const MEASURES = 1000;
+
+/** Name of the measure that covers an edit, from its beginning to the end of the frame that shows it. */
+export const EDIT_MEASURE = "levalab:edit";
+
+/** @returns {ViewState} */
+function initialView() {
+  return {
+    cursor: 0,
+    playing: false,
+    rate: 0.25,
+    perSecond: false,
+    tab: "svaj",
+    layers: { base: true, prime: true, pitch: true, axes: true, normal: true, osculating: false },
+    language: "en",
+    theme: "system",
+    projector: false,
+    highlight: null,
+  };
+}
+
+/**
+ * @typedef {object} Wiring
+ * @property {(design: Design) => Opened} analyse  gives the report of a design, or what is wrong with it
+ * @property {(error: unknown) => void} [failed]   told when a listener throws
+ * @property {(draw: () => void) => void} [frame]  requestAnimationFrame, or another in tests
+ */
+
+/**
+ * @typedef {object} Entry
+ * @property {string} label
+ * @property {Design} design
+ * @property {string | undefined} gesture
+ */
+
+/**
+ * What the shell of the page does with the store beyond what every module may.
+ * @typedef {object} Keeper
+ * @property {(wiring: Wiring) => void} connect
+ * @property {(design: Design) => boolean} start  opens the first design of all, without an undo step; false when it is no good
+ * @property {() => void} reanalyse               the same design again: after a change of language, or on a fresh engine
+ * @property {(key: keyof State) => void} touch   tells the listeners of `key` though its value is the same
+ * @property {() => void} endGesture              the next edit makes its own undo step, whatever its gesture
+ * @property {() => string} undoLabel
+ * @property {() => string} redoLabel
+ * @property {() => void} drawNow                 draws what is pending at once
+ */
+
+/** @returns {Store & Keeper} */
+export function createStore() {
+  /** @type {Wiring | null} */
+  let wiring = null;
+  /** @type {State} */
+  const state = Object.assign(/** @type {State} */ ({ error: null, stale: false }), initialView());
+  /** @type {{ keys: string[], fn: (state: Readonly<State>, changed: ReadonlySet<string>) => void }[]} */
+  const listeners = [];
+  /** @type {Entry[]} */
+  const past = [];
+  /** @type {Entry[]} */
+  const future = [];
+  /** Two sets in turn, so that a frame of the animation allocates nothing here. */
+  let changed = new Set();
+  let spare = new Set();
+  let scheduled = false;
+  let editStart = 0;
+  let editScript = 0;
+  let measures = 0;
+
+  function scheduleDraw() {
+    if (scheduled) return;
+    scheduled = true;
+    (wiring?.frame ?? requestAnimationFrame)(draw);
+  }
+
+  function draw() {
+    scheduled = false;
+    const now = changed;
+    changed = spare;
+    spare = now;
+    const frameStart = performance.now();
+    for (const { keys, fn } of listeners) {
+      if (!meets(keys, now)) continue;
+      try {
+        fn(state, now);
+      } catch (error) {
+        if (!wiring?.failed) throw error;
+        wiring.failed(error);
+      }
+    }
+    now.clear();
+    if (editStart > 0) measureEdit(frameStart);
+  }
+
+  /** @param {number} frameStart */
+  function measureEdit(frameStart) {
+    const end = performance.now();
+    if (++measures % MEASURES === 0) performance.clearMeasures(EDIT_MEASURE);
+    performance.measure(EDIT_MEASURE, { start: editStart, end, detail: { script: editScript + end - frameStart } });
+    editStart = 0;
+    editScript = 0;
+  }
+
+  /**
+   * Makes `design` the current one, good or not. The last good report stays when it is not.
+   * @param {Design} design
+   */
+  function adopt(design) {
+    const start = performance.now();
+    if (editStart === 0) editStart = start;
+    state.design = design;
+    changed.add("design");
+    const opened = wiring ? wiring.analyse(design) : undefined;
+    if (opened?.report) {
+      state.report = opened.report;
+      changed.add("report");
+    }
+    const error = opened?.error ?? null;
+    if (error !== state.error) {
+      state.error = error;
+      changed.add("error");
+    }
+    if (state.stale !== (error !== null)) {
+      state.stale = error !== null;
+      changed.add("stale");
+    }
+    editScript += performance.now() - start;
+    scheduleDraw();
+  }
+
+  /**
+   * @param {string} label
+   * @param {string} [gesture]
+   */
+  function remember(label, gesture) {
+    future.length = 0;
+    const last = past.at(-1);
+    if (gesture !== undefined && last?.gesture === gesture) return;
+    past.push({ label, design: state.design, gesture });
+    if (past.length > HISTORY) past.shift();
+  }
+
+  /**
+   * @param {Entry[]} from
+   * @param {Entry[]} to
+   */
+  function travel(from, to) {
+    const entry = from.pop();
+    if (!entry) return;
+    to.push({ label: entry.label, design: state.design, gesture: undefined });
+    adopt(entry.design);
+  }
+
+  return {
+    get state() {
+      return state;
+    },
+
+    connect(next) {
+      wiring = next;
+    },
+
+    start(design) {
+      adopt(design);
+      editStart = 0;
+      editScript = 0;
+      return state.error === null;
+    },
+
+    reanalyse() {
+      adopt(state.design);
+    },
+
+    touch(key) {
+      changed.add(key);
+      scheduleDraw();
+    },
+
+    subscribe(keys, fn) {
+      const listener = { keys: /** @type {string[]} */ (keys), fn };
+      listeners.push(listener);
+      return () => void listeners.splice(listeners.indexOf(listener), 1);
+    },
+
+    set(patch) {
+      for (const key of /** @type {(keyof ViewState)[]} */ (Object.keys(patch))) {
+        if (Object.is(state[key], patch[key])) continue;
+        Object.assign(state, { [key]: patch[key] });
+        changed.add(key);
+      }
+      if (changed.size > 0) scheduleDraw();
+    },
+
+    edit(label, fn, options = {}) {
+      const start = performance.now();
+      const draft = structuredClone(state.design);
+      fn(draft);
+      remember(label, options.gesture);
+      if (editStart === 0) editStart = start;
+      adopt(draft);
+    },
+
+    endGesture() {
+      const last = past.at(-1);
+      if (last) last.gesture = undefined;
+    },
+
+    replace(design, label) {
+      remember(label);
+      adopt(structuredClone(design));
+    },
+
+    undo: () => travel(past, future),
+    redo: () => travel(future, past),
+    canUndo: () => past.length > 0,
+    canRedo: () => future.length > 0,
+    undoLabel: () => past.at(-1)?.label ?? "",
+    redoLabel: () => future.at(-1)?.label ?? "",
+
+    drawNow: draw,
+  };
+}
+
+/**
+ * @param {string[]} keys
+ * @param {Set<string>} set
+ */
+function meets(keys, set) {
+  for (const key of keys) if (set.has(key)) return true;
+  return false;
+}
+
+export const store = createStore();

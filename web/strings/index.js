@@ -1,0 +1,61 @@
+/**
+ * The page's words, one file a language; `stage.*.js` hold those of the mechanism, diagrams and readouts.
+ *
+ * @import { Language, Translate } from "../types.d.ts"
+ */
+import { en } from "./en.js";
+import { es } from "./es.js";
+import { stageEn } from "./stage.en.js";
+import { stageEs } from "./stage.es.js";
+
+/** A sentence, or its forms by number: `{ one: "{count} joint", other: "{count} joints" }`. */
+/** @typedef {string | { one: string, other: string }} Phrase */
+
+/** @type {Record<Language, Record<string, Phrase>>} */
+const LANGUAGES = { en: { ...en, ...stageEn }, es: { ...es, ...stageEs } };
+
+/** @type {Record<Language, Intl.PluralRules>} */
+const PLURAL = { en: new Intl.PluralRules("en"), es: new Intl.PluralRules("es") };
+
+/**
+ * @param {() => Language} language
+ * @returns {Translate}
+ */
+export function createTranslate(language) {
+  return (key, values = {}) => {
+    const phrase = LANGUAGES[language()][key];
+    if (phrase === undefined) return humble(key);
+    const text = typeof phrase === "string" ? phrase : phrase[form(language(), values["count"])];
+    return text.replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name] ?? ""));
+  };
+}
+
+/**
+ * @param {Language} language
+ * @param {string | number | undefined} count
+ * @returns {"one" | "other"}
+ */
+function form(language, count) {
+  return PLURAL[language].select(Number(count ?? 0)) === "one" ? "one" : "other";
+}
+
+/**
+ * A law or a follower that is newer than these strings goes by its id, as words.
+ * @param {string} key
+ */
+function humble(key) {
+  return key.slice(key.indexOf(".") + 1).replaceAll("-", " ");
+}
+
+/**
+ * What follows the browser at first.
+ * @param {readonly string[]} preferred
+ * @returns {Language}
+ */
+export function firstLanguage(preferred) {
+  for (const tag of preferred) {
+    if (/^es\b/i.test(tag)) return "es";
+    if (/^en\b/i.test(tag)) return "en";
+  }
+  return "en";
+}

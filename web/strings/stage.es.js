@@ -1,0 +1,2 @@
+/** @type {Record<string, import("./index.js").Phrase>} */
+export const stageEs = {};

@@ -1,0 +1,249 @@
+/** The shapes that cross between the page's modules, and those of the engine as it is seen from here. */
+
+export type Language = "en" | "es";
+export type Quantity = "length" | "angle" | "ratio";
+export type Diagram = "s" | "v" | "a" | "j" | "pressure_angle" | "rho";
+export type ColumnName = "theta" | Diagram | "rho_pitch" | "x" | "y" | "pitch_x" | "pitch_y" | "contact";
+
+export interface Parameter {
+  key: string;
+  symbol: string;
+  quantity: Quantity;
+  default: number | null;
+  optional: boolean;
+}
+
+export interface LawEntry {
+  id: string;
+  group: "basic" | "standard" | "half" | "matched";
+  /** False for a law that keeps the height. */
+  moves: boolean;
+  parameters: Parameter[];
+  /** Acceleration at even steps of the segment, scaled to −1…1. */
+  thumbnail: number[];
+}
+
+export interface FollowerEntry {
+  id: string;
+  motion: Motion;
+  contact: Contact;
+  parameters: Parameter[];
+}
+
+export type Motion = "translating" | "oscillating";
+export type Contact = "roller" | "knife" | "curved" | "flat";
+
+/** Everything the forms are built from, so that a new law or follower appears by itself. */
+export interface Catalogue {
+  laws: LawEntry[];
+  followers: FollowerEntry[];
+  length_units: string[];
+  speed_units: string[];
+  examples: { id: string; design: Design }[];
+  limits: { segments: number; title: number; link: number };
+}
+
+export interface Follower {
+  motion: string;
+  contact: string;
+  [parameter: string]: number | string;
+}
+
+export interface Segment {
+  law: string;
+  beta: number;
+  rise: number;
+  [parameter: string]: number | string;
+}
+
+/** The design file `levalab/1` as a plain object. */
+export interface Design {
+  format: "levalab/1";
+  title: string;
+  length_unit: string;
+  speed: { value: number; unit: string };
+  cam: { kind: "rotating"; rotation: Rotation; base_radius: number };
+  follower: Follower;
+  segments: Segment[];
+}
+
+export type Rotation = "counterclockwise" | "clockwise";
+
+/** What is wrong with a design and where, told in the language of the page. */
+export interface DesignError {
+  path: string;
+  message: string;
+}
+
+export interface ChartStyle {
+  width: number;
+  height: number;
+  pixel_ratio: number;
+  font: string;
+  font_size: number;
+  ink: string;
+  muted: string;
+  grid: string;
+  background: string;
+  curve: string;
+  limit: string;
+  mark: string;
+  dash: number[];
+  stroke: number;
+  per_second: boolean;
+  x_labels: boolean;
+  decimal_comma: boolean;
+}
+
+export interface PlotArea {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+  x_min: number;
+  x_max: number;
+  y_min: number;
+  y_max: number;
+}
+
+export interface Range {
+  min: number | null;
+  min_at: number;
+  max: number | null;
+  max_at: number;
+}
+
+export interface Edit {
+  path: (string | number)[];
+  value: unknown;
+}
+
+export interface Cure {
+  message: string;
+  edits: Edit[];
+}
+
+export interface Finding {
+  code: string;
+  severity: "low-speed" | "unacceptable";
+  theta: number;
+  interval: [number, number] | null;
+  places: number[];
+  value: number | null;
+  limit: number | null;
+  message: string;
+  cures: Cure[];
+}
+
+export type Level = "acceptable" | "low-speed" | "unacceptable";
+
+export interface Report {
+  /** The fragment without `#`; empty when the design is too long for a link. */
+  link: string;
+  closure: { degrees_left: number; height: number };
+  verdict: { level: Level; headline: string; findings: Finding[] };
+  summary: Partial<Record<Diagram | "rho_pitch" | "contact", Range>>;
+  joints: { theta: number; segment: number; jump: "s" | "v" | "a" | "j" | null }[];
+  borders: number[];
+  omega: number;
+  period: number;
+  mechanism: {
+    sense: 1 | -1;
+    base_radius: number;
+    prime_radius: number | null;
+    motion: string;
+    contact: string;
+    roller_radius: number;
+    eccentricity: number;
+    pivot: [number, number] | null;
+    arm: number | null;
+    face_offset: number;
+    face_angle: number;
+    face: [number, number] | null;
+    reach: number;
+    top: number;
+  };
+  units: { s: string; v: string; a: string; j: string; V: string; A: string; J: string; length: string };
+}
+
+export type Opened = { report: Report; error?: undefined } | { error: DesignError; report?: undefined };
+export type Read = { design: Design; error?: undefined } | { error: DesignError; design?: undefined };
+
+/** The engine's one object: the current cam. */
+export interface Lab {
+  open(design: Design, samples: number, language: Language): Opened;
+  column(name: ColumnName): Float64Array;
+  at(theta: number, out: Float64Array): void;
+  draw(canvas: HTMLCanvasElement, diagram: Diagram, style: ChartStyle): PlotArea;
+  svg(diagram: Diagram, style: ChartStyle): string;
+}
+
+/** What lights up in the mechanism, the diagrams and the help drawing. */
+export interface Highlight {
+  theta?: number;
+  interval?: [number, number];
+  segment?: number;
+  parameter?: string;
+}
+
+export type Theme = "light" | "dark" | "system";
+export type Tab = "svaj" | "pressure_angle" | "rho";
+
+export interface State {
+  /** The design as edited, which may be wrong: then `error` is set and `stale` is true. */
+  design: Design;
+  /** Always that of the last good design. */
+  report: Report;
+  error: DesignError | null;
+  stale: boolean;
+  /** Cam angle in degrees, 0 ≤ cursor < 360. */
+  cursor: number;
+  playing: boolean;
+  /** Turns of the animation per second, signed; 0 is a stop. */
+  rate: number;
+  perSecond: boolean;
+  tab: Tab;
+  layers: Record<string, boolean>;
+  language: Language;
+  theme: Theme;
+  projector: boolean;
+  highlight: Highlight | null;
+}
+
+export type ViewState = Omit<State, "design" | "report" | "error" | "stale">;
+
+export interface Store {
+  readonly state: Readonly<State>;
+  /** Calls `fn` once a frame when any of `keys` has changed. Returns the way out. */
+  subscribe(keys: (keyof State)[], fn: (state: Readonly<State>, changed: ReadonlySet<string>) => void): () => void;
+  /** Changes what is seen, not what is designed: no undo. */
+  set(patch: Partial<ViewState>): void;
+  /** Changes the design: analyses, remembers for undo (one entry a gesture), schedules a frame. */
+  edit(label: string, fn: (draft: Design) => void, options?: { gesture?: string }): void;
+  undo(): void;
+  redo(): void;
+  canUndo(): boolean;
+  canRedo(): boolean;
+  /** Puts another design in place; undo gives the old one back. */
+  replace(design: Design, label: string): void;
+}
+
+/** `t("transport.play")`, `t("verdict.more", { count: 3 })`. */
+export type Translate = (key: string, values?: Record<string, string | number>) => string;
+
+export interface Format {
+  /** `digits` decimals, or the shortest exact form without them. */
+  number(value: number | null | undefined, options?: { digits?: number; unit?: string }): string;
+  /** Degrees with one decimal (or `digits`) and the sign °. */
+  angle(value: number | null | undefined, digits?: number): string;
+  /** Four significant digits, never rounding whole digits away; `trim` drops final zeros. */
+  quantity(value: number | null | undefined, options?: { trim?: boolean; unit?: string }): string;
+}
+
+/** What every module of the page is mounted with. */
+export interface Context {
+  store: Store;
+  lab: () => Lab;
+  t: Translate;
+  format: Format;
+}
