@@ -1,0 +1,85 @@
+//! What a cam can be blamed for, and how badly.
+
+/// The verdict on a cam.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Level {
+    /// Green: *s*, *v*, *a* and *j* continuous, nothing out of limits.
+    Acceptable,
+    /// Amber: the same, but *j* jumps.
+    LowSpeed,
+    /// Red: everything else.
+    Unacceptable,
+}
+
+/// What is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FindingKind {
+    /// A derivative of the displacement jumps; the order is 0 for *s* to 3 for *j*.
+    Jump(u8),
+    /// |φ| above the limit.
+    PressureAngle,
+    /// The profile comes to a point: ρ = 0.
+    Cusp,
+    /// The roller cuts away profile that it needs: 0 < ρp < Rf.
+    Undercut,
+    /// A flat face cannot follow a hollow: ρ < 0.
+    ConcaveFlat,
+    /// The follower goes below the base circle: s < 0.
+    BelowBase,
+    /// The profile crosses itself away from any cusp.
+    SelfCrossing,
+    /// The arm or stem of the follower cuts through the cam.
+    ArmCutsCam,
+    /// The cam sweeps over the pivot.
+    PivotInsideCam,
+    /// A swinging face turns with the cam as fast as the cam itself, so that the contact runs away.
+    FaceOvertaken,
+    /// The contact passes the pivot of a swinging face.
+    ContactPastPivot,
+}
+
+/// Something wrong with a cam: what, where, how much, and the limit. Angles in radians.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// What is wrong.
+    pub kind: FindingKind,
+    /// Where it is worst.
+    pub theta: f64,
+    /// Where it begins and ends, when it is a stretch; the end is beyond 2π when it passes through 0.
+    pub interval: Option<(f64, f64)>,
+    /// All the places, when there are several.
+    pub places: Vec<f64>,
+    /// How much: the greatest jump, the worst |φ|, the least ρ, the lowest *s*, the depth of a cut.
+    pub value: f64,
+    /// The limit it passes.
+    pub limit: f64,
+}
+
+impl FindingKind {
+    /// Its name in reports, such as `pressure-angle`.
+    #[must_use]
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::Jump(0) => "displacement-jump",
+            Self::Jump(1) => "velocity-jump",
+            Self::Jump(2) => "acceleration-jump",
+            Self::Jump(_) => "jerk-jump",
+            Self::PressureAngle => "pressure-angle",
+            Self::Cusp => "cusp",
+            Self::Undercut => "undercut",
+            Self::ConcaveFlat => "concave-flat",
+            Self::BelowBase => "below-base-circle",
+            Self::SelfCrossing => "self-crossing",
+            Self::ArmCutsCam => "arm-cuts-cam",
+            Self::PivotInsideCam => "pivot-inside-cam",
+            Self::FaceOvertaken => "face-overtaken",
+            Self::ContactPastPivot => "contact-past-pivot",
+        }
+    }
+
+    /// How bad it is: a jump of *j* only forbids high speed, all else is red.
+    #[must_use]
+    pub fn severity(self) -> Level {
+        if self == Self::Jump(3) { Level::LowSpeed } else { Level::Unacceptable }
+    }
+}

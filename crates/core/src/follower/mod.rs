@@ -1,0 +1,266 @@
+//! Followers: what touches the cam, and how it moves.
+//!
+//! A follower is a rigid [`Body`] that slides along +y or swings about a pivot, and carries a contact [`Element`]: a disc
+//! (roller, knife edge, curved face) or a straight face. The disc's profile is an *offset of the pitch curve*, the face's an
+//! *envelope of a line* (see [`contact`]). To add a follower, write one file with a `pub const KIND: FollowerKind` that
+//! places body and element from its parameters, and name it in [`FOLLOWERS`].
+
+mod contact;
+mod oscillating_flat;
+mod oscillating_roller;
+mod translating_curved;
+mod translating_flat;
+mod translating_knife;
+mod translating_roller;
+
+pub use contact::Contact;
+
+use crate::{GeometryError, GeometryProblem, Parameter, Quantity};
+use nalgebra::Complex;
+
+/// A point or vector of the plane: x + i·y.
+pub type Point = Complex<f64>;
+
+/// Every follower there is, in the order in which a menu shows them.
+pub const FOLLOWERS: &[&FollowerKind] = &[
+    &translating_roller::KIND,
+    &translating_knife::KIND,
+    &translating_curved::KIND,
+    &translating_flat::KIND,
+    &oscillating_roller::KIND,
+    &oscillating_flat::KIND,
+];
+
+/// Most parameters that a follower takes.
+pub const MAX_FOLLOWER_PARAMETERS: usize = 4;
+
+/// A follower's parameters, in the order of [`FollowerKind::parameters`]; angles in radians.
+pub type FollowerValues = [f64; MAX_FOLLOWER_PARAMETERS];
+
+/// How the follower moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Along +y.
+    Translating,
+    /// About a pivot; *s* is an angle.
+    Oscillating,
+}
+
+/// What touches the cam.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactKind {
+    /// A roller that turns.
+    Roller,
+    /// A knife edge.
+    Knife,
+    /// An arc that slides (mushroom).
+    Curved,
+    /// A straight face.
+    Flat,
+}
+
+/// A kind of follower: its name, its parameters and how they place it.
+#[derive(Debug)]
+pub struct FollowerKind {
+    /// Motion and contact in one word, such as `oscillating-roller`.
+    pub id: &'static str,
+    /// How it moves.
+    pub motion: Motion,
+    /// What touches.
+    pub contact: ContactKind,
+    /// What it takes besides the base radius.
+    pub parameters: &'static [Parameter],
+    place: fn(f64, &FollowerValues) -> Result<(Body, Element), GeometryError>,
+}
+
+impl FollowerKind {
+    /// The kind of that name.
+    #[must_use]
+    pub fn by_id(id: &str) -> Option<&'static FollowerKind> {
+        FOLLOWERS.iter().copied().find(|kind| kind.id == id)
+    }
+
+    /// Index of a parameter of that name.
+    #[must_use]
+    pub fn index_of(&self, key: &str) -> Option<usize> {
+        self.parameters.iter().position(|parameter| parameter.key == key)
+    }
+}
+
+/// The rigid motion of the follower.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Body {
+    /// Slides along +y by *s*.
+    Slide,
+    /// Turns clockwise about the pivot by *s*.
+    Swing {
+        /// The fixed pivot.
+        pivot: Point,
+    },
+}
+
+/// The contact element, placed at s = 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Element {
+    /// A circle about the trace point; radius 0 is a knife edge.
+    Disc {
+        /// The trace point.
+        centre: Point,
+        /// Radius of the circle.
+        radius: f64,
+    },
+    /// A straight face.
+    Face {
+        /// Unit normal, away from the cam.
+        normal: Point,
+        /// A point of the face that moves with it.
+        point: Point,
+    },
+}
+
+/// The sense in which the cam turns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rotation {
+    /// σ = +1.
+    #[default]
+    CounterClockwise,
+    /// σ = −1.
+    Clockwise,
+}
+
+impl Rotation {
+    /// σ: +1 counter-clockwise, −1 clockwise.
+    #[must_use]
+    pub fn sigma(self) -> f64 {
+        match self {
+            Self::CounterClockwise => 1.0,
+            Self::Clockwise => -1.0,
+        }
+    }
+}
+
+/// A follower resting on a base circle.
+#[derive(Clone, Copy, Debug)]
+pub struct Follower {
+    /// What kind it is.
+    pub kind: &'static FollowerKind,
+    /// Rb.
+    pub base_radius: f64,
+    /// Its parameters, in the order of [`FollowerKind::parameters`]; angles in radians.
+    pub values: FollowerValues,
+    /// Sense of rotation of the cam.
+    pub rotation: Rotation,
+    /// Its rigid motion.
+    pub body: Body,
+    /// What touches the cam, at s = 0.
+    pub element: Element,
+}
+
+impl Follower {
+    /// Places a follower on its base circle.
+    ///
+    /// # Errors
+    /// Names the magnitude that makes the geometry impossible.
+    pub fn new(
+        kind: &'static FollowerKind,
+        base_radius: f64,
+        values: FollowerValues,
+        rotation: Rotation,
+    ) -> Result<Self, GeometryError> {
+        positive("base_radius", base_radius)?;
+        for (parameter, value) in kind.parameters.iter().zip(values) {
+            if !value.is_finite() {
+                return Err(GeometryError { key: parameter.key, problem: GeometryProblem::NotFinite });
+            }
+        }
+        let (body, element) = (kind.place)(base_radius, &values)?;
+        Ok(Self { kind, base_radius, values, rotation, body, element })
+    }
+
+    /// The same follower on another base circle.
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn with_base_radius(&self, base_radius: f64) -> Result<Self, GeometryError> {
+        Self::new(self.kind, base_radius, self.values, self.rotation)
+    }
+
+    /// The same follower with one parameter changed.
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn with_value(&self, index: usize, value: f64) -> Result<Self, GeometryError> {
+        let mut values = self.values;
+        values[index] = value;
+        Self::new(self.kind, self.base_radius, values, self.rotation)
+    }
+
+    /// The value of a parameter by its name.
+    #[must_use]
+    pub fn value(&self, key: &str) -> Option<f64> {
+        self.kind.index_of(key).map(|index| self.values[index])
+    }
+
+    /// Radius of the disc that touches: Rf; 0 for a knife edge and for a flat face.
+    #[must_use]
+    pub fn disc_radius(&self) -> f64 {
+        match self.element {
+            Element::Disc { radius, .. } => radius,
+            Element::Face { .. } => 0.0,
+        }
+    }
+
+    /// True for a straight face.
+    #[must_use]
+    pub fn is_flat(&self) -> bool {
+        matches!(self.element, Element::Face { .. })
+    }
+
+    /// The pressure angle that good practice allows, radians: 30° translating, 35° oscillating.
+    #[must_use]
+    pub fn pressure_angle_limit(&self) -> f64 {
+        match self.kind.motion {
+            Motion::Translating => 30_f64.to_radians(),
+            Motion::Oscillating => 35_f64.to_radians(),
+        }
+    }
+}
+
+/// Refuses what is not a positive finite number.
+fn positive(key: &'static str, found: f64) -> Result<(), GeometryError> {
+    let problem = if !found.is_finite() {
+        GeometryProblem::NotFinite
+    } else if found <= 0.0 {
+        GeometryProblem::NotPositive { found }
+    } else {
+        return Ok(());
+    };
+    Err(GeometryError { key, problem })
+}
+
+const ROLLER_RADIUS: Parameter =
+    Parameter { key: "roller_radius", symbol: "Rf", quantity: Quantity::Length, default: None, optional: false };
+const FACE_RADIUS: Parameter =
+    Parameter { key: "face_radius", symbol: "Rf", quantity: Quantity::Length, default: None, optional: false };
+const ECCENTRICITY: Parameter =
+    Parameter { key: "eccentricity", symbol: "e", quantity: Quantity::Length, default: Some(0.0), optional: true };
+const PIVOT_DISTANCE: Parameter =
+    Parameter { key: "pivot_distance", symbol: "m", quantity: Quantity::Length, default: None, optional: false };
+const PIVOT_ANGLE: Parameter =
+    Parameter { key: "pivot_angle", symbol: "ψ", quantity: Quantity::Angle, default: Some(0.0), optional: true };
+const ARM: Parameter = Parameter { key: "arm", symbol: "A", quantity: Quantity::Length, default: None, optional: false };
+const FACE_OFFSET: Parameter =
+    Parameter { key: "face_offset", symbol: "f", quantity: Quantity::Length, default: Some(0.0), optional: true };
+const FACE_ANGLE: Parameter =
+    Parameter { key: "face_angle", symbol: "γ", quantity: Quantity::Angle, default: Some(0.0), optional: true };
+
+/// A translating disc of that radius on an axis at eccentricity e: F = e + i·(s₀ + s), s₀ = √(Rp² − e²).
+fn sliding_disc(base_radius: f64, radius: f64, eccentricity: f64) -> Result<(Body, Element), GeometryError> {
+    let prime_radius = base_radius + radius;
+    if eccentricity.abs() >= prime_radius {
+        let problem = GeometryProblem::Eccentricity { found: eccentricity, prime_radius };
+        return Err(GeometryError { key: ECCENTRICITY.key, problem });
+    }
+    let start = ((prime_radius - eccentricity) * (prime_radius + eccentricity)).sqrt();
+    Ok((Body::Slide, Element::Disc { centre: Point::new(eccentricity, start), radius }))
+}

@@ -1,0 +1,12 @@
+//! Second half of a harmonic: from full speed to rest.
+
+use super::{ArgumentProblem, Arguments, Group, Law, Piece, Shape, single};
+use crate::Curve;
+use std::f64::consts::FRAC_PI_2;
+
+/// y = sin(πx/2).
+pub const LAW: Law = Law { id: "half-harmonic-end", group: Group::Half, parameters: &[], shape: Shape::Unit(pieces) };
+
+fn pieces(_: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
+    Ok(single(Curve::polynomial(&[0.0]).with_wave(1.0, FRAC_PI_2, 0.0)))
+}

@@ -1,0 +1,68 @@
+//! The polynomial that agrees with two neighbours in value and derivatives.
+
+use crate::{Curve, Svaj};
+use nalgebra::{Const, DimMin, SMatrix, SVector};
+
+/// The polynomial in x ∈ [0, 1] of degree 2·`orders` − 1 with the given value and derivatives (with respect to x) at
+/// both ends; `orders` is 3 (*s*, *v*, *a*) or 4 (and *j*).
+///
+/// Hermite's two-point problem: the lower half of the coefficients is read off the start, cₖ = y⁽ᵏ⁾(0)/k!, and the
+/// upper half solves a small linear system at x = 1, whose matrix depends on `orders` alone and is well conditioned.
+pub(crate) fn matched_polynomial(orders: usize, start: Svaj, end: Svaj) -> Curve {
+    match orders {
+        3 => solve::<3>(start, end),
+        _ => solve::<4>(start, end),
+    }
+}
+
+fn solve<const N: usize>(start: Svaj, end: Svaj) -> Curve
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    let mut coefficients = [0.0; 8];
+    for k in 0..N {
+        coefficients[k] = start.order(k) / falling_factorial(k, k);
+    }
+    let matrix = SMatrix::<f64, N, N>::from_fn(|order, column| falling_factorial(N + column, order));
+    let known = SVector::<f64, N>::from_fn(|order, _| {
+        let from_start: f64 = (order..N).map(|k| coefficients[k] * falling_factorial(k, order)).sum();
+        end.order(order) - from_start
+    });
+    let upper = matrix.lu().solve(&known).unwrap_or_else(SVector::zeros);
+    coefficients[N..2 * N].copy_from_slice(upper.as_slice());
+    Curve::polynomial(&coefficients[..2 * N])
+}
+
+/// k·(k − 1)·…, `order` factors: the `order`-th derivative of xᵏ at x = 1.
+fn falling_factorial(k: usize, order: usize) -> f64 {
+    (0..order).map(|i| k as f64 - i as f64).product()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn between_rests_it_is_the_3_4_5_and_the_4_5_6_7() {
+        let (start, end) = (Svaj::default(), Svaj::new(1.0, 0.0, 0.0, 0.0));
+        for (orders, expect) in [
+            (3, vec![0.0, 0.0, 0.0, 10.0, -15.0, 6.0]),
+            (4, vec![0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0]),
+        ] {
+            let found = matched_polynomial(orders, start, end);
+            for (f, e) in found.coefficients().iter().zip(&expect) {
+                assert!((f - e).abs() < 1e-11, "{found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn all_end_conditions_are_met() {
+        let (start, end) = (Svaj::new(0.3, -1.0, 2.0, 5.0), Svaj::new(0.8, 0.5, -4.0, 1.0));
+        let curve = matched_polynomial(4, start, end);
+        for order in 0..4 {
+            assert!((curve.at(0.0).order(order) - start.order(order)).abs() < 1e-11);
+            assert!((curve.at(1.0).order(order) - end.order(order)).abs() < 1e-10);
+        }
+    }
+}

@@ -1,0 +1,340 @@
+//! Motion laws: how a follower goes from one height to the next.
+//!
+//! A law is a list of smooth pieces ([`Piece`]) over x ∈ [0, 1]; each piece is one [`Curve`]. Everything else (scaling
+//! to β and L, one-sided limits, extremes, formulas on paper) follows from that list. To add a law, write one file with
+//! a `pub const LAW: Law` and name it in [`LAWS`].
+
+mod constant_velocity;
+mod cubic_1;
+mod cubic_2;
+mod cycloidal;
+mod double_harmonic;
+mod dwell;
+mod half_cycloidal_end;
+mod half_cycloidal_start;
+mod half_harmonic_end;
+mod half_harmonic_start;
+mod matched;
+mod modified_sine;
+mod modified_trapezoidal;
+mod parabolic;
+mod polynomial_3_4_5;
+mod polynomial_4_5_6_7;
+mod polynomial_5;
+mod polynomial_7;
+mod scca;
+mod simple_harmonic;
+
+pub(crate) use matched::matched_polynomial;
+
+use crate::{Curve, Parameter, Svaj};
+
+/// Every law there is, in the order in which a menu shows them.
+pub const LAWS: &[&Law] = &[
+    &dwell::LAW,
+    &constant_velocity::LAW,
+    &parabolic::LAW,
+    &cubic_1::LAW,
+    &cubic_2::LAW,
+    &simple_harmonic::LAW,
+    &double_harmonic::LAW,
+    &cycloidal::LAW,
+    &polynomial_3_4_5::LAW,
+    &polynomial_4_5_6_7::LAW,
+    &modified_trapezoidal::LAW,
+    &modified_sine::LAW,
+    &scca::LAW,
+    &half_harmonic_start::LAW,
+    &half_harmonic_end::LAW,
+    &half_cycloidal_start::LAW,
+    &half_cycloidal_end::LAW,
+    &polynomial_5::LAW,
+    &polynomial_7::LAW,
+];
+
+/// Most parameters of its own that a law takes.
+pub const MAX_LAW_PARAMETERS: usize = 2;
+
+/// A motion law.
+#[derive(Debug)]
+pub struct Law {
+    /// The name used in design files and links, such as `cycloidal`.
+    pub id: &'static str,
+    /// Where a menu files it.
+    pub group: Group,
+    /// What it takes besides β and L.
+    pub parameters: &'static [Parameter],
+    /// How its curve is found.
+    pub shape: Shape,
+}
+
+/// The families that a menu shows apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// Pieces that every program is built from: dwell, constant velocity.
+    Basic,
+    /// Whole rises and returns, at rest at both ends.
+    Standard,
+    /// Half motions, at rest at one end only.
+    Half,
+    /// Polynomials that take their end conditions from their neighbours.
+    Matched,
+}
+
+/// How the curve of a law is found.
+#[derive(Clone, Copy, Debug)]
+pub enum Shape {
+    /// Stays where it is: y = 0, and no rise is possible.
+    Rest,
+    /// A fixed curve from (0, 0) to (1, 1).
+    Unit(fn(Arguments) -> Result<Vec<Piece>, ArgumentProblem>),
+    /// One polynomial that agrees with both neighbours in this many orders (*s* is the first).
+    Matched(usize),
+}
+
+/// What a unit curve may depend on.
+#[derive(Clone, Copy, Debug)]
+pub struct Arguments {
+    /// The law's own parameters, in the order of [`Law::parameters`].
+    pub parameters: [f64; MAX_LAW_PARAMETERS],
+    /// True for a return (L < 0).
+    pub falling: bool,
+}
+
+/// Why a law refuses its parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArgumentProblem {
+    /// Index into [`Law::parameters`] of the one to correct.
+    pub parameter: usize,
+    /// Least value that would do.
+    pub min: f64,
+    /// Greatest value that would do.
+    pub max: f64,
+}
+
+/// One smooth stretch of a law: `curve` holds from the end of the piece before it up to x = `until`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// The x at which it ends.
+    pub until: f64,
+    /// Its curve, in the x of the whole law.
+    pub curve: Curve,
+}
+
+/// Laws are the entries of [`LAWS`]: the same name is the same law.
+impl PartialEq for Law {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Law {
+    /// The law of that name.
+    #[must_use]
+    pub fn by_id(id: &str) -> Option<&'static Law> {
+        LAWS.iter().copied().find(|law| law.id == id)
+    }
+
+    /// True when the law takes its end conditions from its neighbours.
+    #[must_use]
+    pub fn is_matched(&self) -> bool {
+        matches!(self.shape, Shape::Matched(_))
+    }
+
+    /// True when the follower stays still.
+    #[must_use]
+    pub fn is_dwell(&self) -> bool {
+        matches!(self.shape, Shape::Rest)
+    }
+
+    /// The law's own parameters at the values a form starts with.
+    #[must_use]
+    pub fn default_parameters(&self) -> [f64; MAX_LAW_PARAMETERS] {
+        let mut values = [0.0; MAX_LAW_PARAMETERS];
+        for (value, parameter) in values.iter_mut().zip(self.parameters) {
+            *value = parameter.default.unwrap_or(0.0);
+        }
+        values
+    }
+
+    /// The law between two rests, from (0, 0) to (1, 1), as smooth pieces.
+    ///
+    /// # Errors
+    /// When a parameter of the law is outside the range that makes a curve.
+    pub fn unit(&self, arguments: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
+        match self.shape {
+            Shape::Rest => Ok(vec![Piece { until: 1.0, curve: Curve::polynomial(&[0.0]) }]),
+            Shape::Unit(pieces) => pieces(arguments),
+            Shape::Matched(orders) => {
+                let curve = matched_polynomial(orders, Svaj::default(), Svaj::new(1.0, 0.0, 0.0, 0.0));
+                Ok(vec![Piece { until: 1.0, curve }])
+            }
+        }
+    }
+}
+
+/// A law with a single formula.
+fn single(curve: Curve) -> Vec<Piece> {
+    vec![Piece { until: 1.0, curve }]
+}
+
+/// A law in two halves: `first` up to x = ½, `second` after it.
+fn halves(first: Curve, second: Curve) -> Vec<Piece> {
+    vec![Piece { until: 0.5, curve: first }, Piece { until: 1.0, curve: second }]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rising(law: &Law) -> Vec<Piece> {
+        law.unit(Arguments { parameters: law.default_parameters(), falling: false }).expect(law.id)
+    }
+
+    /// Value with one-sided limits: the piece is given, so both sides of a joint can be asked for.
+    fn spans(pieces: &[Piece]) -> Vec<(f64, f64, Curve)> {
+        let mut from = 0.0;
+        pieces.iter().map(|p| (std::mem::replace(&mut from, p.until), p.until, p.curve)).collect()
+    }
+
+    fn peak(pieces: &[Piece], order: usize) -> f64 {
+        let mut peak = 0.0_f64;
+        for (from, to, curve) in spans(pieces) {
+            for i in 0..=20_000 {
+                let x = from + (to - from) * f64::from(i) / 20_000.0;
+                peak = peak.max(curve.at(x).order(order).abs());
+            }
+        }
+        peak
+    }
+
+    #[test]
+    fn every_law_goes_from_zero_to_one_without_a_step() {
+        for law in LAWS.iter().filter(|law| !law.is_dwell()) {
+            for falling in [false, true] {
+                let pieces = law.unit(Arguments { parameters: law.default_parameters(), falling }).expect(law.id);
+                let spans = spans(&pieces);
+                assert!(spans[0].2.at(0.0).s.abs() < 1e-14, "{} starts at 0", law.id);
+                let (_, end, last) = spans[spans.len() - 1];
+                assert!((end - 1.0).abs() < 1e-15 && (last.at(1.0).s - 1.0).abs() < 1e-13, "{} ends at 1", law.id);
+                for pair in spans.windows(2) {
+                    let (left, right) = (pair[0].2.at(pair[0].1), pair[1].2.at(pair[0].1));
+                    assert!((left.s - right.s).abs() < 1e-14 && (left.v - right.v).abs() < 1e-13, "{}", law.id);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_agree_with_central_differences() {
+        let h = 1e-5;
+        for law in LAWS {
+            for (from, to, curve) in spans(&rising(law)) {
+                for i in 1..20 {
+                    let x = from + (to - from) * f64::from(i) / 20.0;
+                    let (before, here, after) = (curve.at(x - h), curve.at(x), curve.at(x + h));
+                    for order in 0..3 {
+                        let slope = (after.order(order) - before.order(order)) / (2.0 * h);
+                        let exact = here.order(order + 1);
+                        assert!((slope - exact).abs() < 1e-6 * (1.0 + exact.abs()), "{} order {order}", law.id);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn peak_factors_are_those_of_the_handbooks() {
+        let expected: &[(&str, &[f64])] = &[
+            ("dwell", &[0.0, 0.0, 0.0]),
+            ("constant-velocity", &[1.0, 0.0, 0.0]),
+            ("parabolic", &[2.0, 4.0, 0.0]),
+            ("cubic-1", &[3.0, 12.0, 24.0]),
+            ("cubic-2", &[1.5, 6.0, 12.0]),
+            ("simple-harmonic", &[1.5708, 4.9348, 15.503]),
+            ("double-harmonic", &[2.0405, 9.8696, 42.41]),
+            ("cycloidal", &[2.0, 6.2832, 39.478]),
+            ("polynomial-3-4-5", &[1.875, 5.7735, 60.0]),
+            ("polynomial-4-5-6-7", &[2.1875, 7.5132, 52.5]),
+            ("modified-trapezoidal", &[2.0, 4.8881, 61.43]),
+            ("modified-sine", &[1.7596, 5.5280, 69.47]),
+        ];
+        for (id, peaks) in expected {
+            let pieces = rising(Law::by_id(id).expect(id));
+            for (order, value) in (1..).zip(*peaks) {
+                let found = peak(&pieces, order);
+                assert!((found - value).abs() <= 1e-4 * value, "{id} order {order}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn scca_contains_the_five_classic_laws() {
+        let scca = Law::by_id("scca").expect("scca");
+        for (id, b, c) in [
+            ("parabolic", 0.0, 1.0),
+            ("simple-harmonic", 0.0, 0.0),
+            ("modified-sine", 0.25, 0.0),
+            ("modified-trapezoidal", 0.25, 0.5),
+            ("cycloidal", 0.5, 0.0),
+        ] {
+            let member = scca.unit(Arguments { parameters: [b, c], falling: false }).expect(id);
+            assert_eq!(member, rising(Law::by_id(id).expect(id)), "{id}");
+        }
+        let pieces = rising(Law::by_id("cycloidal").expect("cycloidal"));
+        assert_eq!(pieces.len(), 1, "a cycloidal is one formula");
+        for i in 0..=50 {
+            let x = f64::from(i) / 50.0;
+            let closed = x - (std::f64::consts::TAU * x).sin() / std::f64::consts::TAU;
+            assert!((pieces[0].curve.at(x).s - closed).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn scca_refuses_fractions_that_do_not_fit() {
+        let scca = Law::by_id("scca").expect("scca");
+        for parameters in [[-0.1, 0.5], [0.7, 0.5], [1.0, 0.0], [0.5, 0.6], [0.0, 1.2]] {
+            let answer = scca.unit(Arguments { parameters, falling: false });
+            if parameters == [1.0, 0.0] {
+                assert!(answer.is_ok(), "b = 1 is two whole sine halves");
+            } else {
+                assert!(answer.is_err(), "{parameters:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn double_harmonic_returns_as_its_rise_reversed() {
+        let law = Law::by_id("double-harmonic").expect("double-harmonic");
+        let (rise, fall) = (rising(law), law.unit(Arguments { parameters: [0.0; 2], falling: true }).expect("fall"));
+        for i in 0..=20 {
+            let x = f64::from(i) / 20.0;
+            let reversed = 1.0 - rise[0].curve.at(1.0 - x).s;
+            assert!((fall[0].curve.at(x).s - reversed).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn half_laws_rest_at_one_end_and_run_on_at_the_other() {
+        let half_pi = std::f64::consts::FRAC_PI_2;
+        for (id, start, end) in [
+            ("half-harmonic-start", 0.0, half_pi),
+            ("half-harmonic-end", half_pi, 0.0),
+            ("half-cycloidal-start", 0.0, 2.0),
+            ("half-cycloidal-end", 2.0, 0.0),
+        ] {
+            let curve = rising(Law::by_id(id).expect(id))[0].curve;
+            assert!((curve.at(0.0).v - start).abs() < 1e-15 && (curve.at(1.0).v - end).abs() < 1e-15, "{id}");
+            if id.starts_with("half-cycloidal") {
+                assert!(curve.at(0.0).a.abs() < 1e-15 && curve.at(1.0).a.abs() < 1e-14, "{id}");
+            }
+        }
+    }
+
+    #[test]
+    fn names_are_unique() {
+        for (i, law) in LAWS.iter().enumerate() {
+            assert!(LAWS[..i].iter().all(|other| other.id != law.id), "{}", law.id);
+        }
+    }
+}

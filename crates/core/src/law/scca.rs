@@ -1,0 +1,100 @@
+//! The sine–constant–cosine acceleration family (Norton, *Cam Design and Manufacturing Handbook*, ch. 3).
+//!
+//! Acceleration grows as a sine over b/2, stays constant over c/2, swings to its opposite as a cosine over d, and mirrors
+//! what came before; b + c + d = 1. Five classic laws are points of this family.
+
+use super::{ArgumentProblem, Arguments, Group, Law, Piece, Shape};
+use crate::{Curve, Parameter, Quantity};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The family with its two free fractions.
+pub const LAW: Law = Law {
+    id: "scca",
+    group: Group::Standard,
+    parameters: &[
+        Parameter { key: "b", symbol: "b", quantity: Quantity::Ratio, default: Some(0.25), optional: false },
+        Parameter { key: "c", symbol: "c", quantity: Quantity::Ratio, default: Some(0.25), optional: false },
+    ],
+    shape: Shape::Unit(pieces),
+};
+
+/// A zone narrower than this is taken as absent: it would be shorter than a thousandth of a second of arc.
+const NARROWEST_ZONE: f64 = 1e-9;
+
+/// Two zones are the same formula when their curves differ by no more than the rounding of their own coefficients.
+const SAME_FORMULA: f64 = 1e-13;
+
+fn pieces(arguments: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
+    let [b, c] = arguments.parameters;
+    if !(0.0..=1.0).contains(&b) {
+        return Err(ArgumentProblem { parameter: 0, min: 0.0, max: 1.0 });
+    }
+    if !(0.0..=1.0 - b + NARROWEST_ZONE).contains(&c) {
+        return Err(ArgumentProblem { parameter: 1, min: 0.0, max: 1.0 - b });
+    }
+    Ok(sine_constant_cosine(b, c))
+}
+
+/// The pieces of the law with sine fraction `b` and constant fraction `c`; d = 1 − b − c is the cosine's.
+///
+/// Each zone's acceleration is integrated twice, the constants fixed by continuity of *y* and *y*′ from (0, 0), and the
+/// whole divided by its value at x = 1, which gives the peak acceleration factor Cₐ.
+pub(super) fn sine_constant_cosine(b: f64, c: f64) -> Vec<Piece> {
+    let d = 1.0 - b - c;
+    let cosine_from = 0.5 - 0.5 * d;
+    let zones = [
+        (0.5 * b, sine(b, 0.0)),
+        (cosine_from, Curve::polynomial(&[0.0, 0.0, 0.5])),
+        (1.0 - cosine_from, sine(d, cosine_from - 0.5 * d)),
+        (1.0 - 0.5 * b, Curve::polynomial(&[0.0, 0.0, -0.5])),
+        (1.0, sine(b, 1.0)),
+    ];
+    let mut pieces: Vec<Piece> = Vec::with_capacity(zones.len());
+    let (mut from, mut height, mut slope) = (0.0, 0.0, 0.0);
+    for (until, shape) in zones {
+        if until - from < NARROWEST_ZONE {
+            continue;
+        }
+        let start = shape.at(from);
+        let line = slope - start.v;
+        let curve = add_line(shape, height - start.s - line * from, line);
+        let end = curve.at(until);
+        (from, height, slope) = (until, end.s, end.v);
+        match pieces.last_mut() {
+            Some(last) if same_formula(&last.curve, &curve) => last.until = until,
+            _ => pieces.push(Piece { until, curve }),
+        }
+    }
+    if let Some(last) = pieces.last_mut() {
+        last.until = 1.0;
+    }
+    for piece in &mut pieces {
+        piece.curve = piece.curve.scaled(1.0 / height, 0.0);
+    }
+    pieces
+}
+
+/// A curve whose second derivative is sin(π(x − `from`)/`span`).
+fn sine(span: f64, from: f64) -> Curve {
+    let frequency = PI / span;
+    let curve = Curve::polynomial(&[0.0, 0.0]);
+    if span < NARROWEST_ZONE { curve } else { curve.with_wave(-1.0 / (frequency * frequency), frequency, -frequency * from) }
+}
+
+fn add_line(shape: Curve, constant: f64, slope: f64) -> Curve {
+    let mut coefficients = [0.0; 3];
+    coefficients[..shape.coefficients().len()].copy_from_slice(shape.coefficients());
+    coefficients[0] += constant;
+    coefficients[1] += slope;
+    let terms = if coefficients[2] == 0.0 { 2 } else { 3 };
+    let line = Curve::polynomial(&coefficients[..terms]);
+    shape.waves().iter().fold(line, |curve, w| curve.with_wave(w.amplitude, w.frequency, w.phase))
+}
+
+/// Compares formulas by what they give over a quarter wave and beyond.
+fn same_formula(one: &Curve, other: &Curve) -> bool {
+    [0.0, 0.2, FRAC_PI_2 / 2.0, 1.0].iter().all(|&x| {
+        let (p, q) = (one.at(x), other.at(x));
+        (0..4).all(|order| (p.order(order) - q.order(order)).abs() <= SAME_FORMULA * (1.0 + p.order(3).abs()) * 50.0)
+    })
+}

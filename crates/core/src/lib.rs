@@ -1,0 +1,60 @@
+//! Plate cams (leva y seguidor): motion laws, followers, profiles and an honest verdict.
+//!
+//! A [`Program`] joins [`Segment`]s of motion [`law`]s into one cyclic turn; a [`Follower`] rests on a base circle; together
+//! they are a [`Cam`], and [`Analysis`] says everything about it: motion, profile, pressure angle, radius of curvature,
+//! and what is wrong. [`cures`] says what would put it right.
+//!
+//! ```
+//! use levalab_core::{Analysis, Cam, Follower, FollowerKind, Level, Program, Rotation, Segment};
+//!
+//! let program = Program::new(&[
+//!     Segment::of("cycloidal", 120.0, 20.0).unwrap(),
+//!     Segment::of("dwell", 60.0, 0.0).unwrap(),
+//!     Segment::of("cycloidal", 120.0, -20.0).unwrap(),
+//!     Segment::of("dwell", 60.0, 0.0).unwrap(),
+//! ])?;
+//! let kind = FollowerKind::by_id("translating-roller").unwrap();
+//! let follower = Follower::new(kind, 40.0, [10.0, 0.0, 0.0, 0.0], Rotation::CounterClockwise)?;
+//! let analysis = Analysis::of(&Cam::new(program, follower), 360);
+//! assert_eq!(analysis.level, Level::LowSpeed); // a cycloidal's jerk steps where a dwell begins
+//! # Ok::<(), levalab_core::CamError>(())
+//! ```
+//!
+//! * Angles are radians and derivatives are with respect to θ. Lengths are in whatever unit the design uses.
+//! * The cam turns about the origin; the follower is on top and positive *s* lifts it. σ = +1 is counter-clockwise.
+//! * What cannot be a cam is a [`CamError`]; what can, but should not, is a [`Finding`].
+//!
+//! Not here: files, links, words, drawings. Elastic followers, clearances and the thickness of arms are left out.
+
+mod analysis;
+mod cam;
+mod cure;
+mod curve;
+mod error;
+mod extreme;
+mod finding;
+mod follower;
+mod interference;
+pub mod law;
+mod parameter;
+mod program;
+mod samples;
+mod sizing;
+mod svaj;
+
+pub use analysis::{Analysis, Column, Joint, Summary};
+pub use cam::Cam;
+pub use cure::{Cure, cures};
+pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
+pub use error::{CamError, GeometryError, GeometryProblem, ProgramError, ProgramProblem};
+pub use extreme::Extremes;
+pub use finding::{Finding, FindingKind, Level};
+pub use follower::{
+    Body, Contact, ContactKind, Element, FOLLOWERS, Follower, FollowerKind, FollowerValues, MAX_FOLLOWER_PARAMETERS,
+    Motion, Point, Rotation,
+};
+pub use law::{LAWS, Law};
+pub use parameter::{Parameter, Quantity};
+pub use program::{CLOSING_TOLERANCE, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
+pub use sizing::{balanced_eccentricity, smallest_base_radius};
+pub use svaj::Svaj;

@@ -1,0 +1,252 @@
+//! The motion program: segments that cover one turn, joined into a cyclic list of smooth pieces.
+
+use crate::law::{Arguments, Law, MAX_LAW_PARAMETERS, Piece, Shape, matched_polynomial};
+use crate::{Curve, ProgramError, ProgramProblem, Svaj};
+use std::f64::consts::TAU;
+
+/// One stretch of the program.
+#[derive(Clone, Copy, Debug)]
+pub struct Segment {
+    /// How the follower moves.
+    pub law: &'static Law,
+    /// Cam angle spanned, radians.
+    pub beta: f64,
+    /// Height gained, negative in a return; length, or radians for an oscillating follower.
+    pub rise: f64,
+    /// The law's own parameters, in the order of [`Law::parameters`].
+    pub parameters: [f64; MAX_LAW_PARAMETERS],
+}
+
+impl Segment {
+    /// A segment of a law that takes no parameters of its own, or takes them at their defaults.
+    #[must_use]
+    pub fn new(law: &'static Law, beta: f64, rise: f64) -> Self {
+        Self { law, beta, rise, parameters: law.default_parameters() }
+    }
+
+    /// A segment from a law's name and an angle in degrees, as tables in books give them.
+    #[must_use]
+    pub fn of(id: &str, degrees: f64, rise: f64) -> Option<Self> {
+        Law::by_id(id).map(|law| Self::new(law, degrees.to_radians(), rise))
+    }
+}
+
+/// Most segments that a program may have: the cap that links and forms share.
+pub const MAX_SEGMENTS: usize = 64;
+
+/// How far β's may miss a whole turn, in radians: 10⁻⁹ degrees, what typed decimals add up to at worst.
+pub const TURN_TOLERANCE: f64 = 1e-9 * TAU / 360.0;
+
+/// How far the end may miss the start, in units of the design.
+pub const CLOSING_TOLERANCE: f64 = 1e-9;
+
+/// The narrowest segment, radians (a thousandth of a degree): less is below what any cam grinder divides.
+pub const MIN_BETA: f64 = 1e-3 * TAU / 360.0;
+
+/// A station this close to a joint (radians) lies on it, and takes the limit from the right.
+const SNAP: f64 = 1e-11;
+
+/// A smooth stretch of the cycle: s = curve((θ − origin)/beta), for θ from `from` to `to`.
+#[derive(Clone, Copy, Debug)]
+pub struct Stretch {
+    /// First θ, radians.
+    pub from: f64,
+    /// Last θ, radians.
+    pub to: f64,
+    /// The segment it belongs to.
+    pub segment: usize,
+    origin: f64,
+    beta: f64,
+    per_beta: f64,
+    curve: Curve,
+}
+
+impl Stretch {
+    /// Displacement and derivatives; at `from` and `to`, the one-sided limits from inside.
+    #[must_use]
+    #[inline]
+    pub fn at(&self, theta: f64) -> Svaj {
+        let y = self.curve.at((theta - self.origin) * self.per_beta);
+        let (k, k2) = (self.per_beta, self.per_beta * self.per_beta);
+        Svaj::new(y.s, y.v * k, y.a * k2, y.j * (k2 * k))
+    }
+
+    /// The formula in x = (θ − origin)/β, with its origin and β.
+    #[must_use]
+    pub fn formula(&self) -> (Curve, f64, f64) {
+        (self.curve, self.origin, self.beta)
+    }
+}
+
+/// A checked cyclic motion program.
+#[derive(Clone, Debug)]
+pub struct Program {
+    segments: Vec<Segment>,
+    borders: Vec<f64>,
+    heights: Vec<f64>,
+    stretches: Vec<Stretch>,
+}
+
+impl Program {
+    /// Joins segments into a program.
+    ///
+    /// # Errors
+    /// Names the segment and says what is wrong: a β or L that cannot be, a dwell that rises, parameters of a law out of
+    /// range, a turn that is not whole, an end that misses the start, a joint below the base circle, or two generic
+    /// polynomials side by side (cyclically), which would have no end conditions to take.
+    pub fn new(segments: &[Segment]) -> Result<Self, ProgramError> {
+        check_each(segments)?;
+        let borders = running_sum(segments.iter().map(|segment| segment.beta));
+        let heights = running_sum(segments.iter().map(|segment| segment.rise));
+        check_cycle(segments, &borders, &heights)?;
+        let mut program = Self { segments: segments.to_vec(), borders, heights, stretches: Vec::new() };
+        let last = program.segments.len();
+        program.borders[last] = TAU;
+        program.heights[last] = 0.0;
+        program.stretches = program.join()?;
+        Ok(program)
+    }
+
+    /// The segments it was made from.
+    #[must_use]
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    /// θ of the borders of the segments, from 0 to 2π: one more than there are segments.
+    #[must_use]
+    pub fn borders(&self) -> &[f64] {
+        &self.borders
+    }
+
+    /// The smooth stretches, in order, from 0 to 2π.
+    #[must_use]
+    pub fn stretches(&self) -> &[Stretch] {
+        &self.stretches
+    }
+
+    /// Displacement and derivatives at any θ (radians); on a joint, the limit from the right.
+    #[must_use]
+    pub fn at(&self, theta: f64) -> Svaj {
+        let theta = theta.rem_euclid(TAU);
+        let stretch = &self.stretches[self.stretch_index(theta)];
+        stretch.at(if stretch.from > theta + SNAP { theta + TAU } else { theta })
+    }
+
+    /// Index of the stretch that holds for `theta` ∈ [0, 2π]; on a joint, the one to its right.
+    #[must_use]
+    pub fn stretch_index(&self, theta: f64) -> usize {
+        if theta >= TAU - SNAP {
+            return 0;
+        }
+        self.stretches.partition_point(|stretch| stretch.to <= theta + SNAP).min(self.stretches.len() - 1)
+    }
+
+    /// Every joint between smooth stretches, the one at θ = 0 first: θ and the limits on both sides.
+    pub fn joints(&self) -> impl Iterator<Item = (&Stretch, Svaj, Svaj)> {
+        let n = self.stretches.len();
+        (0..n).map(move |i| {
+            let (before, after) = (&self.stretches[(i + n - 1) % n], &self.stretches[i]);
+            (after, before.at(before.to), after.at(after.from))
+        })
+    }
+
+    fn join(&self) -> Result<Vec<Stretch>, ProgramError> {
+        let n = self.segments.len();
+        let mut fixed: Vec<Vec<Stretch>> = Vec::with_capacity(n);
+        for (k, segment) in self.segments.iter().enumerate() {
+            fixed.push(if segment.law.is_matched() { Vec::new() } else { self.unit_stretches(k)? });
+        }
+        for k in 0..n {
+            if let Shape::Matched(orders) = self.segments[k].law.shape {
+                let (before, after) = (fixed[(k + n - 1) % n].last(), fixed[(k + 1) % n].first());
+                let start = before.map_or_else(Svaj::default, |s| s.at(s.to));
+                let end = after.map_or_else(Svaj::default, |s| s.at(s.from));
+                fixed[k] = vec![self.matched_stretch(k, orders, start, end)];
+            }
+        }
+        Ok(fixed.into_iter().flatten().collect())
+    }
+
+    fn unit_stretches(&self, k: usize) -> Result<Vec<Stretch>, ProgramError> {
+        let segment = &self.segments[k];
+        let arguments = Arguments { parameters: segment.parameters, falling: segment.rise < 0.0 };
+        let pieces = segment.law.unit(arguments).map_err(|problem| ProgramError {
+            segment: k,
+            problem: ProgramProblem::Parameter {
+                key: segment.law.parameters[problem.parameter].key,
+                found: segment.parameters[problem.parameter],
+                min: problem.min,
+                max: problem.max,
+            },
+        })?;
+        let mut from = 0.0;
+        let scaled = pieces.iter().map(|&Piece { until, curve }| {
+            let stretch = self.stretch(k, curve.scaled(segment.rise, self.heights[k]), from, until);
+            from = until;
+            stretch
+        });
+        Ok(scaled.collect())
+    }
+
+    fn matched_stretch(&self, k: usize, orders: usize, start: Svaj, end: Svaj) -> Stretch {
+        let in_x = |limit: Svaj, height: f64| Svaj { s: height, ..limit.stretched(1.0 / self.segments[k].beta) };
+        let curve = matched_polynomial(orders, in_x(start, self.heights[k]), in_x(end, self.heights[k + 1]));
+        self.stretch(k, curve, 0.0, 1.0)
+    }
+
+    fn stretch(&self, k: usize, curve: Curve, from: f64, until: f64) -> Stretch {
+        let (start, end) = (self.borders[k], self.borders[k + 1]);
+        let beta = end - start;
+        let to = if until >= 1.0 { end } else { start + beta * until };
+        Stretch { from: start + beta * from, to, segment: k, origin: start, beta, per_beta: 1.0 / beta, curve }
+    }
+}
+
+fn running_sum(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut sum = 0.0;
+    std::iter::once(0.0)
+        .chain(values.map(|value| {
+            sum += value;
+            sum
+        }))
+        .collect()
+}
+
+fn check_each(segments: &[Segment]) -> Result<(), ProgramError> {
+    let refuse = |segment, problem| Err(ProgramError { segment, problem });
+    if segments.is_empty() || segments.len() > MAX_SEGMENTS {
+        return refuse(0, ProgramProblem::Count { found: segments.len() });
+    }
+    for (k, segment) in segments.iter().enumerate() {
+        if !segment.beta.is_finite() || segment.beta < MIN_BETA || segment.beta > TAU + TURN_TOLERANCE {
+            return refuse(k, ProgramProblem::Beta { found: segment.beta });
+        }
+        if !segment.rise.is_finite() {
+            return refuse(k, ProgramProblem::Rise { found: segment.rise });
+        }
+        if segment.law.is_dwell() && segment.rise != 0.0 {
+            return refuse(k, ProgramProblem::DwellRises { found: segment.rise });
+        }
+        let next = &segments[(k + 1) % segments.len()];
+        if segment.law.is_matched() && next.law.is_matched() {
+            return refuse(k, ProgramProblem::AdjacentPolynomials { next: (k + 1) % segments.len() });
+        }
+    }
+    Ok(())
+}
+
+fn check_cycle(segments: &[Segment], borders: &[f64], heights: &[f64]) -> Result<(), ProgramError> {
+    let last = segments.len() - 1;
+    let (turn, height) = (borders[last + 1], heights[last + 1]);
+    if (turn - TAU).abs() > TURN_TOLERANCE {
+        return Err(ProgramError { segment: last, problem: ProgramProblem::Turn { found: turn } });
+    }
+    if let Some(k) = heights[..=last].iter().position(|&height| height < -CLOSING_TOLERANCE) {
+        return Err(ProgramError { segment: k - 1, problem: ProgramProblem::BelowBase { found: heights[k] } });
+    }
+    if height.abs() > CLOSING_TOLERANCE {
+        return Err(ProgramError { segment: last, problem: ProgramProblem::Closing { found: height } });
+    }
+    Ok(())
+}
