@@ -1,5 +1,47 @@
 //! `cargo xtask serve | test | dist | bench | soak`: everything that builds, runs and checks LevaLab.
 
+mod bench;
+mod dist;
+mod html;
+mod process;
+mod project;
+mod serve;
+mod setup;
+mod size;
+mod soak;
+mod test;
+mod wasm;
+
+use clap::{Parser, Subcommand};
+
+/// Builds, serves, tests and measures LevaLab.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask")]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Builds the page and serves it on this machine; rebuilds when a Rust file changes.
+    Serve(serve::Options),
+    /// Runs every check; with names, only the steps whose name contains one of them.
+    Test(test::Options),
+    /// Packs the page into the static folder `dist/`, ready for any web server and any path.
+    Dist,
+    /// Measures the core and the page against the goals.
+    Bench(bench::Options),
+    /// Tries many random designs and damaged links.
+    Soak(soak::Options),
+}
+
 fn main() -> anyhow::Result<()> {
-    Ok(())
+    match Arguments::parse().task {
+        Task::Serve(options) => serve::run(&options),
+        Task::Test(options) => test::run(&options),
+        Task::Dist => dist::run(),
+        Task::Bench(options) => bench::run(&options),
+        Task::Soak(options) => soak::run(&options),
+    }
 }

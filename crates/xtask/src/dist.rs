@@ -1,0 +1,301 @@
+//! The page packed into `dist/`: static files with relative addresses, for any web server and any path.
+//!
+//! All but `index.html` lies in a folder named by its content, so files of two releases never meet in a browser's cache.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+    process::Stdio,
+};
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::{Value, json};
+use walkdir::WalkDir;
+
+use crate::{
+    html::{self, Kind, Load},
+    process::{self, told},
+    project, setup,
+    size::{Size, kilobytes},
+    wasm::{self, Build},
+};
+
+/// What a first visit may weigh, gzip.
+const FIRST_LOAD_GOAL: usize = 150_000;
+
+/// Names of formats, which browsers compare but never visit.
+const NAMESPACE: &str = "http://www.w3.org/";
+
+/// The module's file, relative to the packed folder.
+pub const MODULE: &str = "pkg/levalab_wasm_bg.wasm";
+
+/// Packs the page and prints what it weighs.
+pub fn run() -> Result<()> {
+    pack()?;
+    Ok(())
+}
+
+/// Packs the page and prints what it weighs; gives the folder with everything but `index.html`.
+pub fn pack() -> Result<PathBuf> {
+    setup::node_modules()?;
+    wasm::build(Build::Shipped)?;
+    let packed = told("packing dist", write)?;
+    forbid_other_hosts(&project::path("dist"))?;
+    print_sizes(&packed)?;
+    Ok(packed.folder)
+}
+
+/// What was packed.
+struct Packed {
+    folder: PathBuf,
+    /// Files a first visit loads, relative to `dist/`.
+    first: Vec<String>,
+}
+
+fn write() -> Result<Packed> {
+    let dist = project::path("dist");
+    if dist.exists() {
+        fs::remove_dir_all(&dist).context("dist")?;
+    }
+    let fresh = dist.join("new");
+    fs::create_dir_all(&fresh)?;
+    let html = fs::read_to_string(project::path("index.html")).context("index.html")?;
+    let loads = html::loads(&html);
+    let needs = bundle(&fresh, &loads)?;
+    copy_others(&fresh)?;
+    let hash = content_hash(&fresh)?;
+    let folder = dist.join(&hash);
+    fs::rename(&fresh, &folder)?;
+    let page = Page {
+        hash: &hash,
+        needs: &needs,
+    };
+    fs::write(dist.join("index.html"), page.rewrite(&html, &loads))?;
+    let mut first = page.first(&loads);
+    first.insert(0, "index.html".to_owned());
+    Ok(Packed { folder, first })
+}
+
+/// Joins and minifies scripts and styles; gives, file by file, which others it needs at once.
+fn bundle(out: &Path, loads: &[Load]) -> Result<Value> {
+    let of_kind = |kind: &Kind| {
+        loads
+            .iter()
+            .filter(|load| load.kind == *kind)
+            .map(|load| load.file.as_str())
+            .collect::<Vec<_>>()
+    };
+    let styles = loads.iter().filter_map(|load| match &load.kind {
+        Kind::Style(media) => Some(json!({ "file": load.file, "media": media })),
+        _ => None,
+    });
+    let order = json!({
+        "out": out,
+        "modules": of_kind(&Kind::Module),
+        "scripts": of_kind(&Kind::Script),
+        "styles": styles.collect::<Vec<_>>(),
+    });
+    let mut bundler = process::node(["crates/xtask/src/bundle.js", &order.to_string()]);
+    let output = bundler
+        .stderr(Stdio::inherit())
+        .output()
+        .context("node did not start")?;
+    ensure!(output.status.success(), "joining the scripts failed");
+    serde_json::from_slice(&output.stdout).context("bundle.js printed no JSON")
+}
+
+/// The module, icons and the like keep the place they have under `web/`.
+fn copy_others(fresh: &Path) -> Result<()> {
+    let web = project::path("web");
+    for entry in WalkDir::new(&web) {
+        let entry = entry?;
+        let relative = entry.path().strip_prefix(&web)?;
+        let hidden = entry.file_name().to_string_lossy().starts_with('.');
+        let joined = entry.path().extension().is_none_or(|extension| {
+            ["js", "ts", "css", "md"]
+                .iter()
+                .any(|other| extension == *other)
+        });
+        if entry.file_type().is_file() && !hidden && !joined {
+            let place = fresh.join(relative);
+            fs::create_dir_all(place.parent().unwrap_or(fresh))?;
+            fs::copy(entry.path(), &place).with_context(|| place.display().to_string())?;
+        }
+    }
+    ensure!(fresh.join(MODULE).is_file(), "{MODULE} is missing");
+    Ok(())
+}
+
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for entry in WalkDir::new(folder).sort_by_file_name() {
+        let entry = entry?;
+        if entry.file_type().is_file() {
+            files.push(entry.into_path());
+        }
+    }
+    Ok(files)
+}
+
+/// Eight hexadecimal digits over all names and contents.
+fn content_hash(folder: &Path) -> Result<String> {
+    let mut checksum = flate2::Crc::new();
+    for file in files(folder)? {
+        checksum.update(file.strip_prefix(folder)?.to_string_lossy().as_bytes());
+        checksum.update(&fs::read(&file)?);
+    }
+    Ok(format!("{:08x}", checksum.sum()))
+}
+
+/// `index.html` and the packed folder it points into.
+struct Page<'a> {
+    hash: &'a str,
+    needs: &'a Value,
+}
+
+impl Page<'_> {
+    fn rewrite(&self, html: &str, loads: &[Load]) -> String {
+        let mut styled = false;
+        html::rewrite(html, loads, |load| match load.kind {
+            Kind::Style(_) if styled => String::new(),
+            Kind::Style(_) => {
+                styled = true;
+                format!("<link rel=\"stylesheet\" href=\"{}/style.css\">", self.hash)
+            }
+            Kind::Script => format!("<script src=\"{}\"></script>", self.packed(&load.file)),
+            Kind::Module => self.module(&load.file),
+            Kind::Hint => String::new(),
+            Kind::Other => load.tag.replace(&load.file, &self.kept(&load.file)),
+        })
+    }
+
+    /// The script, and hints to fetch all it needs at the same time, not one after the other.
+    fn module(&self, file: &str) -> String {
+        let hints = self
+            .needed(file)
+            .into_iter()
+            .map(|part| format!("<link rel=\"modulepreload\" href=\"{part}\">\n    "));
+        let wasm = format!(
+            "<link rel=\"preload\" href=\"{}/{MODULE}\" as=\"fetch\" type=\"application/wasm\" crossorigin>\n    ",
+            self.hash
+        );
+        let script = format!(
+            "<script type=\"module\" src=\"{}\"></script>",
+            self.packed(file)
+        );
+        hints.chain([wasm, script]).collect()
+    }
+
+    /// Scripts lie flat in the packed folder.
+    fn packed(&self, file: &str) -> String {
+        let name = Path::new(file).file_name().unwrap_or_default();
+        format!("{}/{}", self.hash, name.to_string_lossy())
+    }
+
+    /// Other files keep their place.
+    fn kept(&self, file: &str) -> String {
+        format!("{}/{}", self.hash, file.trim_start_matches("web/"))
+    }
+
+    /// The parts that a module imports at once, and those that these import.
+    fn needed(&self, file: &str) -> Vec<String> {
+        let mut needed = vec![self.packed(file)];
+        let mut next = 0;
+        while let Some(part) = needed.get(next) {
+            let written = self.needs.as_array().into_iter().flatten();
+            let entry = written.clone().find(|entry| {
+                entry["file"]
+                    .as_str()
+                    .is_some_and(|name| part.ends_with(name))
+            });
+            let parts = entry
+                .and_then(|entry| entry["needs"].as_array())
+                .into_iter()
+                .flatten()
+                .filter_map(Value::as_str);
+            for part in parts {
+                let part = format!("{}/{part}", self.hash);
+                if !needed.contains(&part) {
+                    needed.push(part);
+                }
+            }
+            next += 1;
+        }
+        needed.remove(0);
+        needed
+    }
+
+    fn first(&self, loads: &[Load]) -> Vec<String> {
+        let mut first = vec![format!("{}/style.css", self.hash)];
+        for load in loads {
+            match load.kind {
+                Kind::Script => first.push(self.packed(&load.file)),
+                Kind::Module => {
+                    first.push(self.packed(&load.file));
+                    first.extend(self.needed(&load.file));
+                }
+                Kind::Other => first.push(self.kept(&load.file)),
+                Kind::Style(_) | Kind::Hint => {}
+            }
+        }
+        first.push(format!("{}/{MODULE}", self.hash));
+        first
+    }
+}
+
+/// Nothing shipped may name another host.
+fn forbid_other_hosts(dist: &Path) -> Result<()> {
+    let mut found = Vec::new();
+    for file in files(dist)? {
+        let text = String::from_utf8_lossy(&fs::read(&file)?).into_owned();
+        let addresses = ["http://", "https://", "\"//", "'//", "ws://", "wss://"]
+            .iter()
+            .flat_map(|scheme| text.match_indices(scheme));
+        let addresses = addresses.map(|(at, _)| text[at..].chars().take(60).collect::<String>());
+        let foreign = addresses.filter(|address| !address.starts_with(NAMESPACE));
+        found.extend(foreign.map(|address| format!("{}: {address}", file.display())));
+    }
+    if !found.is_empty() {
+        bail!(
+            "addresses of other hosts in shipped files:\n{}",
+            found.join("\n")
+        );
+    }
+    Ok(())
+}
+
+fn print_sizes(packed: &Packed) -> Result<()> {
+    let dist = project::path("dist");
+    let mut total = Size::default();
+    println!("{:<44} {:>10} {:>10}", "first load", "raw", "gzip");
+    for name in &packed.first {
+        let size = Size::of(&dist.join(name))?;
+        total = total.plus(size);
+        print_size(name, size);
+    }
+    print_size("together", total);
+    for file in files(&dist)? {
+        let name = file
+            .strip_prefix(&dist)?
+            .to_string_lossy()
+            .replace('\\', "/");
+        if !packed.first.contains(&name) {
+            print_size(&format!("on demand: {name}"), Size::of(&file)?);
+        }
+    }
+    let verdict = if total.gzip <= FIRST_LOAD_GOAL {
+        "kept"
+    } else {
+        "MISSED"
+    };
+    println!("goal: {} gzip, {verdict}", kilobytes(FIRST_LOAD_GOAL));
+    Ok(())
+}
+
+fn print_size(name: &str, size: Size) {
+    println!(
+        "{name:<44} {:>10} {:>10}",
+        kilobytes(size.raw),
+        kilobytes(size.gzip)
+    );
+}

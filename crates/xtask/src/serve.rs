@@ -1,0 +1,221 @@
+//! The page on this machine: builds it, serves exactly its own files, and rebuilds when Rust changes.
+
+use std::{
+    env, fs,
+    net::SocketAddr,
+    path::{Component, Path, PathBuf},
+    sync::Arc,
+    thread,
+    time::{Duration, SystemTime},
+};
+
+use anyhow::{Result, anyhow};
+use tiny_http::{Header, Request, Response, Server};
+use walkdir::WalkDir;
+
+use crate::{
+    process, project,
+    wasm::{self, Build},
+};
+
+/// Where and how to serve.
+#[derive(clap::Args)]
+pub struct Options {
+    /// Port on 127.0.0.1; 0 takes any free one. Without it 8080, or any free one when that is taken.
+    #[arg(long)]
+    port: Option<u16>,
+    /// Do not open the page in the browser.
+    #[arg(long)]
+    no_open: bool,
+    /// Serve the module as it is shipped, which takes longer to build.
+    #[arg(long)]
+    release: bool,
+}
+
+/// Enough for a browser's parallel requests.
+const WORKERS: usize = 4;
+
+/// How often the Rust sources are looked at.
+const WATCH: Duration = Duration::from_secs(1);
+
+/// Serves until stopped.
+pub fn run(options: &Options) -> Result<()> {
+    let build = if options.release {
+        Build::Shipped
+    } else {
+        Build::Quick
+    };
+    wasm::build(build)?;
+    let server = Arc::new(listen(options.port)?);
+    let address = server
+        .server_addr()
+        .to_ip()
+        .ok_or_else(|| anyhow!("no address"))?;
+    announce(address, options.no_open);
+    for _ in 0..WORKERS {
+        let server = Arc::clone(&server);
+        thread::spawn(move || server.incoming_requests().for_each(answer));
+    }
+    watch(build)
+}
+
+fn listen(port: Option<u16>) -> Result<Server> {
+    let on = |port| {
+        Server::http(SocketAddr::from(([127, 0, 0, 1], port)))
+            .map_err(|error| anyhow!("port {port}: {error}"))
+    };
+    match port {
+        Some(port) => on(port),
+        None => on(8080).or_else(|_| on(0)),
+    }
+}
+
+fn announce(address: SocketAddr, quiet: bool) {
+    let url = format!("http://{address}/");
+    println!("LevaLab is at {url} (Ctrl+C ends)");
+    let display = cfg!(any(windows, target_os = "macos"))
+        || ["DISPLAY", "WAYLAND_DISPLAY"]
+            .iter()
+            .any(|name| env::var_os(name).is_some());
+    if quiet || !display {
+        return;
+    }
+    let (program, first): (_, &[&str]) = if cfg!(windows) {
+        ("cmd", &["/c", "start", ""])
+    } else if cfg!(target_os = "macos") {
+        ("open", &[])
+    } else {
+        ("xdg-open", &[])
+    };
+    let mut open = process::program(program, first);
+    // No browser to open is no reason to stop: the address is printed above.
+    drop(open.arg(url).spawn());
+}
+
+fn answer(request: Request) {
+    let file = file_of(request.url(), project::root());
+    let found = file.and_then(|file| Some((fs::read(&file).ok()?, media_type(&file))));
+    let sent = match found {
+        Some((bytes, media)) => request.respond(
+            Response::from_data(bytes)
+                .with_header(header("Content-Type", media))
+                .with_header(header("Cache-Control", "no-cache")),
+        ),
+        None => request.respond(Response::from_string("Not found\n").with_status_code(404)),
+    };
+    // The browser may have gone away in the meantime.
+    drop(sent);
+}
+
+fn header(name: &'static str, value: &'static str) -> Header {
+    Header::from_bytes(name, value).expect("names and values are ASCII constants")
+}
+
+/// The file behind a request: `index.html` or something under `web/`, nothing hidden, nothing outside.
+fn file_of(url: &str, root: &Path) -> Option<PathBuf> {
+    let path = url.split(['?', '#']).next()?.strip_prefix('/')?;
+    // Names of the page's files need no escapes, so an escape is a stranger's.
+    if path.contains(['%', '\\', ':', '\0']) {
+        return None;
+    }
+    let path = Path::new(if path.is_empty() { "index.html" } else { path });
+    let plain = |part: Component| matches!(part, Component::Normal(name) if !name.to_string_lossy().starts_with('.'));
+    if !path.components().all(plain)
+        || !(path == Path::new("index.html") || path.starts_with("web"))
+    {
+        return None;
+    }
+    // A symbolic link must not lead outside either.
+    let file = root.join(path).canonicalize().ok()?;
+    (file.starts_with(root.canonicalize().ok()?) && file.is_file()).then_some(file)
+}
+
+fn media_type(file: &Path) -> &'static str {
+    match file.extension().and_then(|extension| extension.to_str()) {
+        Some("css") => "text/css; charset=utf-8",
+        Some("html") => "text/html; charset=utf-8",
+        Some("ico") => "image/x-icon",
+        Some("js" | "mjs") => "text/javascript; charset=utf-8",
+        Some("json") => "application/json",
+        Some("png") => "image/png",
+        Some("svg") => "image/svg+xml",
+        Some("wasm") => "application/wasm",
+        Some("webmanifest") => "application/manifest+json",
+        Some("woff2") => "font/woff2",
+        _ => "text/plain; charset=utf-8",
+    }
+}
+
+/// Rebuilds after each change of a Rust file; a file that does not compile waits for the next change.
+fn watch(build: Build) -> ! {
+    let mut seen = newest();
+    loop {
+        thread::sleep(WATCH);
+        let now = newest();
+        if now == seen {
+            continue;
+        }
+        seen = now;
+        match wasm::build(build) {
+            Ok(()) => println!("ready: reload the page"),
+            Err(error) => eprintln!("{error:#}"),
+        }
+    }
+}
+
+/// When a source of the page's module changed last.
+fn newest() -> Option<SystemTime> {
+    let sources = WalkDir::new(project::path("crates")).into_iter().flatten();
+    let rust = sources.filter(|entry| {
+        entry
+            .path()
+            .extension()
+            .is_some_and(|extension| extension == "rs" || extension == "toml")
+    });
+    rust.filter_map(|entry| entry.metadata().ok()?.modified().ok())
+        .max()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn served(url: &str) -> Option<String> {
+        let root = project::root().canonicalize().expect("the checkout exists");
+        let file = file_of(url, &root)?;
+        Some(
+            file.strip_prefix(&root)
+                .expect("inside")
+                .to_string_lossy()
+                .into_owned(),
+        )
+    }
+
+    #[test]
+    fn the_page_is_served_at_the_root() {
+        assert_eq!(served("/").as_deref(), Some("index.html"));
+        assert_eq!(served("/?x=1").as_deref(), Some("index.html"));
+    }
+
+    #[test]
+    fn nothing_but_the_page_is_served() {
+        for url in [
+            "/Cargo.toml",
+            "/.git/config",
+            "/web",
+            "/web/",
+            "/web/../Cargo.toml",
+            "/web/%2e%2e/Cargo.toml",
+            "/web/..%2fCargo.toml",
+            "/web\\..\\Cargo.toml",
+            "//etc/passwd",
+            "/web//etc/passwd",
+            "/web/pkg/.stamp",
+            "/crates/xtask/src/main.rs",
+            "web/main.js",
+            "",
+        ] {
+            assert_eq!(served(url), None, "{url}");
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! The machine room of the page: Rust to wasm, its JavaScript glue, and the optimiser, into `web/pkg/`.
+
+use std::{
+    env,
+    ffi::OsString,
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use anyhow::{Context, Result};
+use wasm_bindgen_cli_support::Bindgen;
+
+use crate::{
+    process::{self, run, told},
+    project,
+    setup::{self, WASM, WasmCompiler},
+};
+
+/// How much work goes into the module.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Build {
+    /// Soon ready: for trying out changes.
+    Quick,
+    /// What is shipped: whole-program optimised, then by wasm-opt.
+    Shipped,
+}
+
+impl Build {
+    fn profile(self) -> &'static str {
+        match self {
+            Build::Quick => "quick",
+            Build::Shipped => "release",
+        }
+    }
+}
+
+/// What rustc emits, and every browser since 2021 reads; wasm-opt refuses or invents features without being told.
+const FEATURES: [&str; 6] = [
+    "--enable-bulk-memory",
+    "--enable-multivalue",
+    "--enable-mutable-globals",
+    "--enable-nontrapping-float-to-int",
+    "--enable-reference-types",
+    "--enable-sign-ext",
+];
+
+/// Part of the stamp: raise it when the steps below change what they write.
+const RECIPE: &str = "1";
+
+/// The folder of the generated module.
+pub fn package() -> PathBuf {
+    project::path("web/pkg")
+}
+
+/// Brings `web/pkg/` up to date; quick when nothing changed.
+pub fn build(build: Build) -> Result<()> {
+    let module = compile(build)?;
+    let stamp = stamp(&module, build)?;
+    let stamp_file = package().join(".stamp");
+    if fs::read_to_string(&stamp_file).is_ok_and(|found| found == stamp) {
+        return Ok(());
+    }
+    if build == Build::Shipped {
+        setup::node_modules()?;
+    }
+    told("writing web/pkg", || write_package(&module, build))?;
+    fs::write(&stamp_file, stamp).context("web/pkg/.stamp")
+}
+
+fn compile(build: Build) -> Result<PathBuf> {
+    let compiler = setup::wasm_compiler()?;
+    let target = project::target()?;
+    let (mut command, target) = match compiler {
+        WasmCompiler::Same => (process::cargo(["build"]), target),
+        // Another compiler, so another folder: neither throws away the other's work.
+        WasmCompiler::Debian { linker } => (debian_cargo("build", &linker), target.join("debian")),
+    };
+    command
+        .args([
+            "--package",
+            "levalab-wasm",
+            "--lib",
+            "--target",
+            WASM,
+            "--profile",
+            build.profile(),
+        ])
+        .arg("--target-dir")
+        .arg(&target)
+        .env("CARGO_ENCODED_RUSTFLAGS", flags());
+    told("compiling for the page", || run(&mut command))?;
+    Ok(target
+        .join(WASM)
+        .join(build.profile())
+        .join("levalab_wasm.wasm"))
+}
+
+/// Looks for compiler warnings in the page's module with Debian's compiler.
+pub fn debian_check(linker: &Path) -> Result<Command> {
+    let mut command = debian_cargo("check", linker);
+    command
+        .args([
+            "--package",
+            "levalab-wasm",
+            "--target",
+            WASM,
+            "--target-dir",
+        ])
+        .arg(project::target()?.join("debian"));
+    command.env("CARGO_ENCODED_RUSTFLAGS", "--deny=warnings");
+    Ok(command)
+}
+
+/// Debian's cargo and rustc, told to build the standard library as well.
+fn debian_cargo(task: &str, linker: &Path) -> Command {
+    let mut command = process::program("/usr/bin/cargo", [task, "-Zbuild-std=std,panic_abort"]);
+    command
+        .env("RUSTC", "/usr/bin/rustc")
+        .env("RUSTC_BOOTSTRAP", "1")
+        .env("CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER", linker)
+        .env_remove("CARGO")
+        .env_remove("RUSTUP_TOOLCHAIN");
+    command
+}
+
+/// Compiler flags that keep this machine's folders out of the shipped file.
+fn flags() -> OsString {
+    let mut flags = OsString::new();
+    let sources = dependency_folders()
+        .into_iter()
+        .chain([project::root().to_path_buf()]);
+    for folder in sources {
+        if !flags.is_empty() {
+            flags.push("\u{1f}");
+        }
+        flags.push("--remap-path-prefix=");
+        flags.push(folder);
+        flags.push("=.");
+    }
+    flags
+}
+
+/// Where cargo unpacks the crates we depend on.
+fn dependency_folders() -> Vec<PathBuf> {
+    let home = env::var_os("CARGO_HOME")
+        .map(PathBuf::from)
+        .or_else(|| Some(env::home_dir()?.join(".cargo")));
+    let Some(home) = home else { return Vec::new() };
+    let Ok(entries) = fs::read_dir(home.join("registry/src")) else {
+        return Vec::new();
+    };
+    let mut folders: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+    folders.sort();
+    folders
+}
+
+/// Names the module's bytes and what is done with them.
+fn stamp(module: &Path, build: Build) -> Result<String> {
+    let bytes = fs::read(module).with_context(|| module.display().to_string())?;
+    let mut checksum = flate2::Crc::new();
+    checksum.update(&bytes);
+    Ok(format!(
+        "{RECIPE} {} {} {:08x}",
+        build.profile(),
+        bytes.len(),
+        checksum.sum()
+    ))
+}
+
+/// Writes the glue and the module beside their places, then moves them in, so that no half-written file is ever served.
+fn write_package(module: &Path, build: Build) -> Result<()> {
+    let fresh = project::target()?.join("pkg");
+    if fresh.exists() {
+        fs::remove_dir_all(&fresh).context("target/pkg")?;
+    }
+    write_glue(module, &fresh)?;
+    if build == Build::Shipped {
+        optimise(&fresh.join("levalab_wasm_bg.wasm"))?;
+    }
+    let package = package();
+    fs::create_dir_all(&package).context("web/pkg")?;
+    for entry in fs::read_dir(&fresh)? {
+        let entry = entry?;
+        let place = package.join(entry.file_name());
+        fs::rename(entry.path(), &place).with_context(|| place.display().to_string())?;
+    }
+    Ok(())
+}
+
+fn write_glue(module: &Path, folder: &Path) -> Result<()> {
+    let mut bindgen = Bindgen::new();
+    bindgen.input_path(module).web(true)?.typescript(true);
+    bindgen
+        .remove_name_section(true)
+        .remove_producers_section(true);
+    bindgen.generate(folder).context("wasm-bindgen")
+}
+
+fn optimise(module: &Path) -> Result<()> {
+    let mut command = process::node([project::npm_tool("binaryen/bin/wasm-opt")]);
+    command
+        .arg("-O3")
+        .args(FEATURES)
+        .args(["--strip-producers", "--strip-target-features"]);
+    command.arg(module).arg("-o").arg(module);
+    run(&mut command)
+}

@@ -1,0 +1,29 @@
+// The packed page opens anywhere, and keeps to itself.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { openPage } from "./harness.js";
+
+test("the page draws under any path, within its policy, asking no other host", async (t) => {
+  const { page } = await openPage(t);
+  assert.equal(await page.title(), "LevaLab");
+});
+
+test("the policy allows nothing but the page's own files", async (t) => {
+  const { page } = await openPage(t);
+  const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute("content");
+  const rules = new Set(policy?.split(";").map((rule) => rule.trim()));
+  for (const rule of ["default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "connect-src 'self'", "base-uri 'none'", "form-action 'none'"]) {
+    assert(rules.has(rule), rule);
+  }
+});
+
+test("the module arrives once, asked for before the script that uses it runs", async (t) => {
+  const { page } = await openPage(t);
+  const loads = await page.evaluate(() =>
+    performance.getEntriesByType("resource").map(({ name, startTime }) => ({ name, startTime })),
+  );
+  const modules = loads.filter(({ name }) => name.endsWith(".wasm"));
+  const script = loads.find(({ name }) => name.endsWith("main.js"));
+  assert.equal(modules.length, 1);
+  assert(script && modules[0].startTime < script.startTime + 50, "the hint in index.html was not used");
+});

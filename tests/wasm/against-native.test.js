@@ -1,0 +1,49 @@
+// The module as it is shipped, optimiser and all, computes what the command line computes.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync, readdirSync } from "node:fs";
+import path from "node:path";
+import { test } from "node:test";
+import { Lab, initSync } from "../../web/pkg/levalab_wasm.js";
+
+/** Both run the same arithmetic; only sin, cos and their like may differ, in the last digits. Relative to the column's scale. */
+const TOLERANCE = 1e-12;
+
+const SAMPLES = 720;
+const root = path.resolve(import.meta.dirname, "../..");
+const { LEVALAB_CLI: cli, LEVALAB_MODULE: module } = process.env;
+assert(cli && module, "LEVALAB_CLI and LEVALAB_MODULE name what to compare: run `cargo xtask test wasm`");
+initSync({ module: readFileSync(module) });
+
+const examples = readdirSync(path.join(root, "examples")).filter((name) => name.endsWith(".lev.json"));
+assert(examples.length > 0, "no examples");
+
+for (const example of examples) {
+  test(`${example}: every column agrees`, () => {
+    const file = path.join(root, "examples", example);
+    const json = execFileSync(/** @type {string} */ (cli), ["analyze", file, "--samples", String(SAMPLES), "--json"], { encoding: "utf8", maxBuffer: 1e8 });
+    /** @type {Record<string, (number | null)[]>} */
+    const columns = JSON.parse(json).columns;
+    const lab = new Lab();
+    const opened = lab.open(JSON.parse(readFileSync(file, "utf8")), SAMPLES, "en");
+    assert(!("error" in opened), JSON.stringify(opened));
+    for (const [name, expected] of Object.entries(columns)) {
+      compare(name, lab.column(/** @type {any} */ (name)), expected);
+    }
+  });
+}
+
+/**
+ * @param {string} name
+ * @param {Float64Array} found
+ * @param {(number | null)[]} expected null where a value is not finite
+ */
+function compare(name, found, expected) {
+  assert.equal(found.length, expected.length, `${name}: rows`);
+  const scale = Math.max(...expected.map((value) => Math.abs(value ?? 0)), Number.MIN_VALUE);
+  expected.forEach((value, row) => {
+    if (value === null) return assert(!Number.isFinite(found[row]), `${name}[${row}]: ${found[row]}, natively not finite`);
+    const error = Math.abs(found[row] - value) / scale;
+    assert(error <= TOLERANCE, `${name}[${row}]: ${found[row]}, natively ${value}`);
+  });
+}
