@@ -1,7 +1,7 @@
 //! Speed of one whole analysis, beside a bare loop of sines of the same length.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use levalab_core::{Analysis, Cam, Follower, FollowerKind, Program, Rotation, Segment, cures};
+use levalab_core::{Analysis, Cam, Follower, FollowerKind, Program, Rotation, Segment, prescribe};
 use std::hint::black_box;
 
 /// Example 9RT: four laws, four dwells, radial roller.
@@ -47,8 +47,8 @@ fn analyze(c: &mut Criterion) {
         b.iter(|| (0..=720).map(|i| black_box(f64::from(i) * 0.008_726_646).sin()).sum::<f64>());
     });
     let steep = nine_rt().with_base_radius(25.0).expect("smaller");
-    let finding = Analysis::of(&steep, 720).findings.remove(0);
-    group.bench_function("cures/9RT", |b| b.iter(|| cures(black_box(&steep), &finding)));
+    let analysis = Analysis::of(&steep, 720);
+    group.bench_function("prescribe/9RT", |b| b.iter(|| prescribe(black_box(&steep), &analysis)));
     group.finish();
 }
 

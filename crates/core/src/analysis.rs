@@ -1,13 +1,10 @@
 //! Everything there is to say about a cam.
 
-use crate::extreme::{Quantity, extremes, intervals};
+use crate::extreme::{extremes, intervals};
 use crate::interference::{arm_cut, crossing};
-use crate::samples::{Sample, Samples};
-use crate::{Body, Cam, Extremes, Finding, FindingKind, Level, Svaj};
+use crate::samples::{Quantity, Samples};
+use crate::{Body, Cam, Extremes, Finding, FindingKind, Joint, Level, Point};
 use std::f64::consts::TAU;
-
-/// A jump smaller than this part of the greatest value of its derivative is rounding, not a jump.
-const JUMP_TOLERANCE: f64 = 1e-9;
 
 /// |φ| may pass its limit by this much (radians), which is rounding: a cure that is solved for lands on the limit.
 const ANGLE_TOLERANCE: f64 = 1e-9;
@@ -17,21 +14,6 @@ const CUSP_TOLERANCE: f64 = 1e-9;
 
 /// How far below the base circle rounding may take the follower, as a part of its whole travel.
 const BELOW_TOLERANCE: f64 = 1e-9;
-
-/// A joint between smooth stretches of the motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Joint {
-    /// Where it is, radians.
-    pub theta: f64,
-    /// The segment that begins there, or within which it lies.
-    pub segment: usize,
-    /// Limit from the left.
-    pub before: Svaj,
-    /// Limit from the right.
-    pub after: Svaj,
-    /// The lowest order that jumps there: 0 for *s* to 3 for *j*.
-    pub jump: Option<u8>,
-}
 
 /// Extremes over the turn, refined between stations. Angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,12 +131,16 @@ impl Analysis {
     /// The summary and the verdict are exact whatever `steps` is.
     #[must_use]
     pub fn of(cam: &Cam, steps: usize) -> Self {
-        let samples = Samples::of(cam, steps.max(1));
+        let steps = steps.max(1);
+        let mut samples = Samples::of(cam, steps);
+        if let Body::Swing { .. } = cam.follower.body {
+            samples.measure_radius(cam);
+        }
         let summary = summarise(cam, &samples);
-        let joints = classify_joints(cam, &summary);
+        let joints = cam.program.classified_joints();
         let findings = judge(cam, &samples, &summary, &joints);
         let level = findings.iter().map(|finding| finding.kind.severity()).max().unwrap_or(Level::Acceptable);
-        Self { columns: tabulate(cam, &samples), summary, joints, findings, level }
+        Self { columns: tabulate(cam, samples, steps), summary, joints, findings, level }
     }
 
     /// A column, or nothing when it does not apply to this follower.
@@ -167,20 +153,20 @@ impl Analysis {
 
 fn summarise(cam: &Cam, samples: &Samples) -> Summary {
     let of = |quantity: Quantity| extremes(cam, samples, quantity);
-    let bend = of(|_, contact| contact.bend);
+    let bend = of(Quantity::Bend);
     let flat = cam.follower.is_flat();
     let radius = cam.follower.disc_radius();
     let (rho, rho_pitch) = if flat { (bend, None) } else { (radii(&bend, radius), Some(radii(&bend, 0.0))) };
     let least = (cam.follower.profile_radius(bend.max), bend.max_at);
     Summary {
-        s: of(|motion, _| motion.s),
-        v: of(|motion, _| motion.v),
-        a: of(|motion, _| motion.a),
-        j: of(|motion, _| motion.j),
-        pressure_angle: of(|_, contact| contact.pressure_angle),
+        s: of(Quantity::S),
+        v: of(Quantity::V),
+        a: of(Quantity::A),
+        j: of(Quantity::J),
+        pressure_angle: of(Quantity::PressureAngle),
         rho,
         rho_pitch,
-        reach: flat.then(|| of(|_, contact| contact.reach)),
+        reach: flat.then(|| of(Quantity::Reach)),
         least_convex: if flat { Some((bend.min, bend.min_at)) } else { (bend.max > 0.0).then_some(least) },
         tightest_hollow: (!flat && bend.min < 0.0).then(|| (1.0 / bend.min - radius, bend.min_at)),
     }
@@ -195,19 +181,6 @@ fn radii(curvature: &Extremes, radius: f64) -> Extremes {
     Extremes { min: 1.0 / max - radius, min_at: max_at, max: 1.0 / min - radius, max_at: min_at }
 }
 
-fn classify_joints(cam: &Cam, summary: &Summary) -> Vec<Joint> {
-    let Summary { s, v, a, j, .. } = summary;
-    let scales = [s, v, a, j].map(|extremes| extremes.greatest_size().0);
-    let joints = cam.program.joints().map(|(stretch, before, after)| {
-        let jump = (0..4_u8).find(|&order| {
-            let k = usize::from(order);
-            (before.order(k) - after.order(k)).abs() > JUMP_TOLERANCE * scales[k]
-        });
-        Joint { theta: stretch.from, segment: stretch.segment, before, after, jump }
-    });
-    joints.collect()
-}
-
 fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> Vec<Finding> {
     let mut findings = jumps(joints);
     findings.extend(steep(cam, samples, summary));
@@ -217,7 +190,7 @@ fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> V
     findings.extend(cuts);
     findings.extend(misplaced(cam, samples, summary));
     if regular {
-        findings.extend(crossing(cam, samples));
+        findings.extend(crossing(samples));
         findings.extend(arm_cut(cam, samples));
     }
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.kind.severity()));
@@ -248,7 +221,7 @@ fn steep(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {
     let limit = cam.follower.pressure_angle_limit();
     let (value, theta) = summary.pressure_angle.greatest_size();
     (value > limit + ANGLE_TOLERANCE).then(|| {
-        let stretches = intervals(cam, samples, theta, &|_, contact| contact.pressure_angle.abs() - limit);
+        let stretches = intervals(cam, samples, Quantity::PressureAngle, theta, |angle| angle.abs() - limit);
         finding(FindingKind::PressureAngle, theta, value, limit, around(&stretches, theta))
     })
 }
@@ -256,7 +229,7 @@ fn steep(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {
 fn below_base(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {
     let Extremes { min, min_at, .. } = summary.s;
     (min < -BELOW_TOLERANCE * summary.s.max.abs().max(f64::MIN_POSITIVE)).then(|| {
-        let stretches = intervals(cam, samples, min_at, &|motion, _| -motion.s);
+        let stretches = intervals(cam, samples, Quantity::S, min_at, |s| -s);
         finding(FindingKind::BelowBase, min_at, min, 0.0, around(&stretches, min_at))
     })
 }
@@ -273,15 +246,13 @@ fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
     }
     let kind = if cam.follower.is_flat() { FindingKind::ConcaveFlat } else { FindingKind::Undercut };
     let follower = &cam.follower;
-    let stretches = intervals(cam, samples, theta, &|_, contact| -follower.regularity(contact.bend));
+    let stretches = intervals(cam, samples, Quantity::Bend, theta, |bend| -follower.regularity(bend));
+    let bends = samples.grid(Quantity::Bend);
     let each = stretches.iter().map(|&(from, to)| {
-        let inside = samples.all.iter().filter(|sample| within((from, to), sample.theta));
-        let worst = inside.min_by(|a, b| {
-            let depth = |sample: &Sample| follower.regularity(sample.contact.bend);
-            depth(a).total_cmp(&depth(b))
-        });
+        let inside = (0..bends.len()).filter(|&i| within((from, to), samples.theta[i]));
+        let worst = inside.min_by(|&a, &b| follower.regularity(bends[a]).total_cmp(&follower.regularity(bends[b])));
         let (value, at) = match worst {
-            Some(sample) if !within((from, to), theta) => (follower.profile_radius(sample.contact.bend), sample.theta),
+            Some(i) if !within((from, to), theta) => (follower.profile_radius(bends[i]), samples.theta[i]),
             _ => (least, theta),
         };
         finding(kind, at, value, 0.0, Some((from, to)))
@@ -293,19 +264,16 @@ fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
 fn misplaced(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
     let mut findings = Vec::new();
     let Body::Swing { pivot } = cam.follower.body else { return findings };
-    let radius = |sample: &&Sample| sample.contact.point.norm();
-    if let Some(farthest) = samples.all.iter().max_by(|a, b| radius(a).total_cmp(&radius(b))) {
-        let reach = radius(&farthest);
-        if reach >= pivot.norm() {
-            findings.push(finding(FindingKind::PivotInsideCam, farthest.theta, reach, pivot.norm(), None));
-        }
+    let radius = extremes(cam, samples, Quantity::Radius);
+    if radius.max >= pivot.norm() {
+        findings.push(finding(FindingKind::PivotInsideCam, radius.max_at, radius.max, pivot.norm(), None));
     }
     if let Some(reach) = summary.reach {
-        let lead = extremes(cam, samples, |_, contact| contact.lead);
+        let lead = extremes(cam, samples, Quantity::Lead);
         if lead.min <= 0.0 {
             findings.push(finding(FindingKind::FaceOvertaken, lead.min_at, 1.0 - lead.min, 1.0, None));
         } else if reach.min <= 0.0 {
-            let stretches = intervals(cam, samples, reach.min_at, &|_, contact| -contact.reach);
+            let stretches = intervals(cam, samples, Quantity::Reach, reach.min_at, |reach| -reach);
             let interval = around(&stretches, reach.min_at);
             findings.push(finding(FindingKind::ContactPastPivot, reach.min_at, reach.min, 0.0, interval));
         }
@@ -325,42 +293,38 @@ fn around(stretches: &[(f64, f64)], theta: f64) -> Option<(f64, f64)> {
     stretches.iter().copied().find(|&stretch| within(stretch, theta))
 }
 
-fn tabulate(cam: &Cam, samples: &Samples) -> Vec<Vec<f64>> {
-    let rows = samples.stations.len();
-    let flat = cam.follower.is_flat();
-    let mut columns: Vec<Vec<f64>> = Column::ALL.iter().map(|_| Vec::new()).collect();
-    for column in Column::ALL {
-        let absent = match column {
-            Column::RhoPitch | Column::PitchX | Column::PitchY => flat,
-            Column::Contact => !flat,
-            _ => false,
-        };
-        if !absent {
-            columns[column as usize].reserve_exact(rows);
+/// The columns asked for: the grid's own arrays, thinned when the grid is finer, closed by repeating the first row.
+fn tabulate(cam: &Cam, mut samples: Samples, steps: usize) -> Vec<Vec<f64>> {
+    let every = samples.theta.len() / steps;
+    let finish = |mut values: Vec<f64>| {
+        if every > 1 {
+            values = values.into_iter().step_by(every).collect();
         }
-    }
-    for (row, &index) in samples.stations.iter().enumerate() {
-        let Sample { motion, contact, .. } = samples.all[index as usize];
-        let theta = TAU * row as f64 / (rows - 1) as f64;
-        let turn = cam.in_cam_frame(1.0.into(), theta);
-        let (profile, pitch) = (contact.point * turn, contact.trace * turn);
-        let mut put = |column: Column, value: f64| columns[column as usize].push(value);
-        put(Column::Theta, theta);
-        put(Column::S, motion.s);
-        put(Column::V, motion.v);
-        put(Column::A, motion.a);
-        put(Column::J, motion.j);
-        put(Column::PressureAngle, contact.pressure_angle);
-        put(Column::Rho, cam.follower.profile_radius(contact.bend));
-        put(Column::X, profile.re);
-        put(Column::Y, profile.im);
-        if flat {
-            put(Column::Contact, contact.reach);
-        } else {
-            put(Column::RhoPitch, 1.0 / contact.bend);
-            put(Column::PitchX, pitch.re);
-            put(Column::PitchY, pitch.im);
-        }
+        values.extend(values.first().copied());
+        values
+    };
+    let follower = &cam.follower;
+    let bend = samples.take(Quantity::Bend);
+    let part = |points: &[Point], part: fn(&Point) -> f64| points.iter().map(part).collect::<Vec<f64>>();
+    let of = |column: Column| match column {
+        Column::Theta => std::mem::take(&mut samples.theta),
+        Column::S => samples.take(Quantity::S),
+        Column::V => samples.take(Quantity::V),
+        Column::A => samples.take(Quantity::A),
+        Column::J => samples.take(Quantity::J),
+        Column::PressureAngle => samples.take(Quantity::PressureAngle),
+        Column::Rho => bend.iter().map(|&bend| follower.profile_radius(bend)).collect(),
+        Column::RhoPitch if follower.is_flat() => Vec::new(),
+        Column::RhoPitch => bend.iter().map(|bend| 1.0 / bend).collect(),
+        Column::X => part(&samples.profile, |point| point.re),
+        Column::Y => part(&samples.profile, |point| point.im),
+        Column::PitchX => part(&samples.pitch, |point| point.re),
+        Column::PitchY => part(&samples.pitch, |point| point.im),
+        Column::Contact => samples.take(Quantity::Reach),
+    };
+    let mut columns: Vec<Vec<f64>> = Column::ALL.map(of).map(finish).into();
+    if let Some(last) = columns[Column::Theta as usize].last_mut() {
+        *last = TAU;
     }
     columns
 }

@@ -2,7 +2,7 @@
 
 use crate::sizing::geometry_passes;
 use crate::{
-    Cam, Finding, FindingKind, LAWS, Law, Level, Program, Segment, balanced_eccentricity, smallest_base_radius,
+    Analysis, Cam, Finding, FindingKind, LAWS, Law, Program, Segment, balanced_eccentricity, smallest_base_radius,
 };
 
 /// A change that removes a finding.
@@ -32,16 +32,19 @@ const MOST_CURES: usize = 3;
 /// |φ| gained by a balancing eccentricity must be worth it: this many radians (half a degree) at least.
 const WORTHWHILE: f64 = 0.5 * std::f64::consts::PI / 180.0;
 
-/// The cures of a finding, the best first. Each has been tried: the finding is gone in the cam it gives, or (for an
-/// eccentricity) the pressure angle is lower.
+/// The cures of each finding of an analysis, in the order of the findings, the best cure first.
+///
+/// Each has been tried: the finding is gone in the cam it gives, and nothing geometric is wrong there that was not before; or,
+/// for an eccentricity that does not suffice, the pressure angle is lower.
 #[must_use]
-pub fn cures(cam: &Cam, finding: &Finding) -> Vec<Cure> {
-    match finding.kind {
-        FindingKind::Jump(order) => law_cures(cam, |trial| trial.lowest_jump.is_none_or(|jump| jump > order)),
-        FindingKind::BelowBase => law_cures(cam, |trial| !trial.below_base),
-        FindingKind::PressureAngle => {
-            smaller_first(smallest_base_radius(cam).map(Cure::BaseRadius), eccentricity(cam, finding))
-        }
+pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
+    let geometric = |finding: &Finding| !matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase);
+    let sound = !analysis.findings.iter().any(geometric);
+    let size = if sound { None } else { smallest_base_radius(cam) };
+    let of = |finding: &Finding| match finding.kind {
+        FindingKind::Jump(order) => law_cures(cam, sound, |trial| trial.lowest_jump.is_none_or(|jump| jump > order)),
+        FindingKind::BelowBase => law_cures(cam, sound, |trial| !trial.below_base),
+        FindingKind::PressureAngle => smaller_first(size.map(Cure::BaseRadius), eccentricity(cam, finding)),
         FindingKind::Cusp
         | FindingKind::Undercut
         | FindingKind::ConcaveFlat
@@ -49,11 +52,9 @@ pub fn cures(cam: &Cam, finding: &Finding) -> Vec<Cure> {
         | FindingKind::ArmCutsCam
         | FindingKind::PivotInsideCam
         | FindingKind::FaceOvertaken
-        | FindingKind::ContactPastPivot => {
-            let size = smallest_base_radius(cam).filter(|size| (size / cam.follower.base_radius - 1.0).abs() > 1e-9);
-            size.map(Cure::BaseRadius).into_iter().collect()
-        }
-    }
+        | FindingKind::ContactPastPivot => size.map(Cure::BaseRadius).into_iter().collect(),
+    };
+    analysis.findings.iter().map(of).collect()
 }
 
 /// An eccentricity that passes by itself goes before a larger cam; one that only helps goes after.
@@ -69,47 +70,49 @@ fn eccentricity(cam: &Cam, finding: &Finding) -> Option<(Cure, bool)> {
     let value = balanced_eccentricity(cam)?;
     let index = cam.follower.kind.index_of("eccentricity")?;
     let moved = Cam::new(cam.program.clone(), cam.follower.with_value(index, value).ok()?);
-    let analysis = crate::Analysis::of(&moved, 720);
+    let analysis = Analysis::of(&moved, 720);
     let pressure_angle = analysis.summary.pressure_angle.greatest_size().0;
-    let clean = analysis.findings.iter().all(|f| matches!(f.kind, FindingKind::Jump(_) | FindingKind::PressureAngle));
-    let worthwhile = clean && pressure_angle < finding.value - WORTHWHILE;
-    worthwhile.then(|| (Cure::Eccentricity { value, pressure_angle }, geometry_passes(&moved)))
+    let motion_or_angle =
+        |f: &Finding| matches!(f.kind, FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::PressureAngle);
+    let worthwhile = analysis.findings.iter().all(motion_or_angle) && pressure_angle < finding.value - WORTHWHILE;
+    let passes = pressure_angle <= cam.follower.pressure_angle_limit();
+    worthwhile.then_some((Cure::Eccentricity { value, pressure_angle }, passes))
 }
 
 /// A program tried as a cure.
 struct Trial {
     changes: Vec<(usize, &'static Law)>,
+    program: Program,
     lowest_jump: Option<u8>,
     below_base: bool,
     peak_acceleration: f64,
-    geometry: bool,
 }
 
-/// Programs in which the same law replaces every segment that a joint blames, or the fewest of them; the smoothest first and
-/// among equals the gentlest.
-fn law_cures(cam: &Cam, cured: impl Fn(&Trial) -> bool) -> Vec<Cure> {
-    let segments = cam.program.segments();
-    let blamed = blamed_segments(cam);
+/// Programs in which one law replaces every segment that a joint blames, or just one of them: the smoothest that there is, and
+/// gentler ones that are less smooth; a choice, not a catalogue.
+fn law_cures(cam: &Cam, sound: bool, cured: impl Fn(&Trial) -> bool) -> Vec<Cure> {
+    let blamed = blamed_segments(&cam.program);
     let mut trials: Vec<Trial> = Vec::new();
     for law in LAWS.iter().copied().filter(|law| !law.is_dwell()) {
-        let all: Vec<(usize, &'static Law)> = blamed.iter().map(|&k| (k, law)).collect();
-        trials.extend(attempt(cam, segments, all).filter(&cured));
+        trials.extend(attempt(&cam.program, blamed.iter().map(|&k| (k, law)).collect()));
         if blamed.len() > 1 {
-            for &k in &blamed {
-                trials.extend(attempt(cam, segments, vec![(k, law)]).filter(&cured));
-            }
+            trials.extend(blamed.iter().filter_map(|&k| attempt(&cam.program, vec![(k, law)])));
         }
     }
-    let was_sound = geometry_passes(cam);
-    trials.retain(|trial| trial.geometry || !was_sound);
-    trials.sort_by(|a, b| {
-        let smoothness = |trial: &Trial| std::cmp::Reverse(trial.lowest_jump.unwrap_or(u8::MAX));
-        smoothness(a).cmp(&smoothness(b)).then(a.peak_acceleration.total_cmp(&b.peak_acceleration))
+    trials.retain(&cured);
+    // Stable, so that among laws which come to the same curve the first of the list is named. Logarithms are compared in steps,
+    // because the same curve by two formulas differs in its last digits.
+    trials.sort_by_key(|trial| {
+        let gentleness = (trial.peak_acceleration.ln() * 1e6).round() as i64;
+        (std::cmp::Reverse(trial.lowest_jump.unwrap_or(u8::MAX)), gentleness)
     });
-    // The smoothest there is, and the gentlest that is less smooth: a choice, not a catalogue.
     let mut kept: Vec<Trial> = Vec::new();
     for trial in trials {
-        if kept.len() < MOST_CURES && kept.iter().all(|other| other.changes.len() != trial.changes.len() || other.lowest_jump != trial.lowest_jump) {
+        let alike = |other: &Trial| {
+            other.changes.len() == trial.changes.len() && other.lowest_jump == trial.lowest_jump
+        };
+        let fits = || !sound || geometry_passes(&Cam::new(trial.program.clone(), cam.follower));
+        if kept.len() < MOST_CURES && !kept.iter().any(alike) && fits() {
             kept.push(trial);
         }
     }
@@ -117,41 +120,39 @@ fn law_cures(cam: &Cam, cured: impl Fn(&Trial) -> bool) -> Vec<Cure> {
 }
 
 /// Moving segments that touch a jump, contain one, or go below the base circle.
-fn blamed_segments(cam: &Cam) -> Vec<usize> {
-    let analysis = crate::Analysis::of(cam, 720);
-    let segments = cam.program.segments();
-    let n = segments.len();
+fn blamed_segments(program: &Program) -> Vec<usize> {
+    let n = program.segments().len();
     let mut blamed = vec![false; n];
-    for joint in analysis.joints.iter().filter(|joint| joint.jump.is_some()) {
-        let at_border = cam.program.borders()[..n].contains(&joint.theta);
+    for joint in program.classified_joints().iter().filter(|joint| joint.jump.is_some()) {
         blamed[joint.segment] = true;
-        if at_border {
+        if program.borders()[..n].contains(&joint.theta) {
             blamed[(joint.segment + n - 1) % n] = true;
         }
     }
-    if analysis.findings.iter().any(|finding| finding.kind == FindingKind::BelowBase) {
-        let low = analysis.summary.s.min_at;
-        blamed[cam.program.stretches()[cam.program.stretch_index(low)].segment] = true;
+    for stretch in program.stretches() {
+        blamed[stretch.segment] |= goes_below(std::iter::once(stretch.at(0.5 * (stretch.from + stretch.to))));
     }
-    (0..n).filter(|&k| blamed[k] && !segments[k].law.is_dwell()).collect()
+    (0..n).filter(|&k| blamed[k] && !program.segments()[k].law.is_dwell()).collect()
 }
 
-fn attempt(cam: &Cam, segments: &[Segment], changes: Vec<(usize, &'static Law)>) -> std::option::IntoIter<Trial> {
-    let mut changed = segments.to_vec();
+fn attempt(program: &Program, changes: Vec<(usize, &'static Law)>) -> Option<Trial> {
+    let mut changed = program.segments().to_vec();
+    if changes.iter().all(|&(k, law)| changed[k].law == law) {
+        return None;
+    }
     for &(k, law) in &changes {
         changed[k] = Segment { parameters: law.default_parameters(), law, ..changed[k] };
     }
-    let same = changes.iter().all(|&(k, law)| segments[k].law == law);
-    let trial = (!same).then(|| Program::new(&changed).ok()).flatten().map(|program| {
-        let moved = Cam::new(program, cam.follower);
-        let analysis = crate::Analysis::of(&moved, 720);
-        Trial {
-            changes,
-            lowest_jump: analysis.joints.iter().filter_map(|joint| joint.jump).min(),
-            below_base: analysis.findings.iter().any(|finding| finding.kind == FindingKind::BelowBase),
-            peak_acceleration: analysis.summary.a.greatest_size().0,
-            geometry: analysis.findings.iter().all(|f| f.kind.severity() < Level::Unacceptable || matches!(f.kind, FindingKind::Jump(_))),
-        }
-    });
-    trial.into_iter()
+    let program = Program::new(&changed).ok()?;
+    Some(Trial {
+        lowest_jump: program.classified_joints().iter().filter_map(|joint| joint.jump).min(),
+        below_base: goes_below(program.look()),
+        peak_acceleration: program.look().map(|motion| motion.a.abs()).fold(0.0, f64::max),
+        changes,
+        program,
+    })
+}
+
+fn goes_below(mut motions: impl Iterator<Item = crate::Svaj>) -> bool {
+    motions.any(|motion| motion.s < -1e-9)
 }

@@ -1,7 +1,7 @@
 //! Extremes and crossings of a piecewise smooth quantity, refined between samples.
 
-use crate::samples::{Sample, Samples};
-use crate::{Cam, Contact, Svaj};
+use crate::Cam;
+use crate::samples::{Quantity, Samples};
 use std::f64::consts::TAU;
 
 /// Where a quantity is least and greatest over the turn; θ in radians.
@@ -25,9 +25,6 @@ impl Extremes {
     }
 }
 
-/// Something that can be read off motion and contact.
-pub(crate) type Quantity = fn(&Svaj, &Contact) -> f64;
-
 /// θ is refined to this (radians): the value of an extreme is then exact to its square.
 const THETA_TOLERANCE: f64 = 1e-8;
 
@@ -40,58 +37,82 @@ const TIE: f64 = 1e-4;
 /// Most bumps refined for one extreme: a program of many equal segments needs only some of its equal bumps.
 const MOST_BUMPS: usize = 4;
 
+/// A gain smaller than this part of the range is rounding: the first place that comes so close is the one to name.
+const ROUNDING: f64 = 1e-12;
+
 /// Extremes of a quantity over the turn.
 pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extremes {
-    let values: Vec<f64> = samples.all.iter().map(|sample| quantity(&sample.motion, &sample.contact)).collect();
-    let (max, max_at) = greatest(cam, samples, &values, quantity, 1.0);
-    let (min, min_at) = greatest(cam, samples, &values, quantity, -1.0);
+    let (low, high) = bounds(samples.grid(quantity), bounds(samples.own(quantity), (f64::INFINITY, f64::NEG_INFINITY)));
+    let (max, max_at) = greatest(cam, samples, quantity, 1.0, (low, high));
+    let (min, min_at) = greatest(cam, samples, quantity, -1.0, (-high, -low));
     Extremes { min: -min, min_at, max, max_at }
 }
 
-/// The greatest value of `sign`·quantity, and where.
-fn greatest(cam: &Cam, samples: &Samples, values: &[f64], quantity: Quantity, sign: f64) -> (f64, f64) {
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for value in values {
-        low = low.min(sign * value);
-        high = high.max(sign * value);
+/// Least and greatest of some values, eight at a time so that the processor can compare them together.
+fn bounds(values: &[f64], (mut low, mut high): (f64, f64)) -> (f64, f64) {
+    let (mut lows, mut highs) = ([f64::INFINITY; 8], [f64::NEG_INFINITY; 8]);
+    let chunks = values.chunks_exact(8);
+    for value in chunks.remainder() {
+        (low, high) = (low.min(*value), high.max(*value));
     }
+    for chunk in chunks {
+        for k in 0..8 {
+            lows[k] = if chunk[k] < lows[k] { chunk[k] } else { lows[k] };
+            highs[k] = if chunk[k] > highs[k] { chunk[k] } else { highs[k] };
+        }
+    }
+    for k in 0..8 {
+        (low, high) = (low.min(lows[k]), high.max(highs[k]));
+    }
+    (low, high)
+}
+
+/// A local summit among the samples of a stretch: its neighbours and itself, as (θ, value), and the height it promises.
+struct Bump {
+    stretch: usize,
+    points: [(f64, f64); 3],
+    promise: f64,
+}
+
+/// The greatest value of `sign`·quantity, and where; `low` and `high` bound the samples of it.
+fn greatest(cam: &Cam, samples: &Samples, quantity: Quantity, sign: f64, (low, high): (f64, f64)) -> (f64, f64) {
     let range = high - low;
-    let mut best = (high, f64::NAN);
-    let mut bumps: Vec<(f64, usize, usize)> = Vec::new();
-    let threshold = high - SLACK * range;
-    for (stretch, span) in samples.ranges.iter().enumerate() {
-        for i in span.clone() {
-            let here = sign * values[i];
-            if here < threshold {
+    if range <= ROUNDING * high.abs().max(low.abs()) {
+        return (high, 0.0);
+    }
+    let (worth_a_look, as_good) = (high - SLACK * range, high - ROUNDING * range);
+    let mut best: Option<(f64, f64)> = None;
+    let mut bumps: Vec<Bump> = Vec::new();
+    for (stretch, span) in samples.spans.iter().enumerate() {
+        let tall = |values: &[f64]| values.iter().any(|value| sign * value >= worth_a_look);
+        let grid = &samples.grid(quantity)[span.grid.clone()];
+        if !tall(&samples.own(quantity)[span.own.clone()]) && !tall(grid) {
+            continue;
+        }
+        let along = samples.along(span, quantity);
+        for (i, &(theta, value)) in along.iter().enumerate() {
+            let here = sign * value;
+            if here < worth_a_look {
                 continue;
             }
-            if here == high && best.1.is_nan() {
-                best.1 = samples.all[i].theta;
+            if best.is_none() && here >= as_good {
+                best = Some((here, theta));
             }
-            let before = if i > span.start { sign * values[i - 1] } else { f64::NEG_INFINITY };
-            let after = if i + 1 < span.end { sign * values[i + 1] } else { f64::NEG_INFINITY };
+            let beside = |k: Option<usize>| k.and_then(|k| along.get(k)).map_or((theta, f64::NEG_INFINITY), |p| (p.0, sign * p.1));
+            let points = [beside(i.checked_sub(1)), (theta, here), beside(Some(i + 1))];
+            let [(_, before), _, (_, after)] = points;
             if here >= before && here > after || here > before && here >= after {
-                bumps.push((vertex(before, here, after), i, stretch));
+                bumps.push(Bump { stretch, points, promise: vertex(before, here, after) });
             }
         }
     }
-    if range <= f64::EPSILON * high.abs() {
-        return best;
-    }
-    let top = bumps.iter().map(|bump| bump.0).fold(f64::NEG_INFINITY, f64::max);
-    bumps.retain(|bump| bump.0 >= top - TIE * range);
-    for &(_, i, stretch) in bumps.iter().take(MOST_BUMPS) {
-        let span = &samples.ranges[stretch];
-        let (low, high) = (i.saturating_sub(1).max(span.start), (i + 1).min(span.end - 1));
-        let piece = &cam.program.stretches()[stretch];
-        let height = |theta: f64| {
-            let motion = piece.at(theta);
-            sign * quantity(&motion, &cam.follower.contact(motion))
-        };
-        let theta = |k: usize| samples.all[k].theta;
-        let (at, value) = summit(theta(low), theta(i), theta(high), sign * values[i], height);
-        // A gain within rounding is no better place than the sample itself, which is often a round angle.
-        if value > best.0 + 4.0 * f64::EPSILON * best.0.abs() {
+    let mut best = best.unwrap_or((high, 0.0));
+    let top = bumps.iter().map(|bump| bump.promise).fold(f64::NEG_INFINITY, f64::max);
+    bumps.retain(|bump| bump.promise >= top - TIE * range);
+    for bump in bumps.iter().take(MOST_BUMPS) {
+        let piece = &cam.program.stretches()[bump.stretch];
+        let (at, value) = summit(bump.points, |theta| sign * quantity.at(cam, piece, theta));
+        if value > best.0 + ROUNDING * range {
             best = (value, at);
         }
     }
@@ -108,8 +129,8 @@ fn vertex(before: f64, here: f64, after: f64) -> f64 {
     here - 0.5 * slope * slope / bend
 }
 
-/// Greatest value of `f` on [low, high] by Brent's method, started from a known inner point.
-fn summit(low: f64, start: f64, high: f64, at_start: f64, f: impl Fn(f64) -> f64) -> (f64, f64) {
+/// Greatest value of `f` between the outer two of three points, by Brent's method started from the inner one.
+fn summit([(low, _), (start, at_start), (high, _)]: [(f64, f64); 3], f: impl Fn(f64) -> f64) -> (f64, f64) {
     const GOLDEN: f64 = 0.381_966_011_250_105;
     let (mut a, mut b) = (low, high);
     let (mut x, mut w, mut v) = (start, start, start);
@@ -156,38 +177,38 @@ fn summit(low: f64, start: f64, high: f64, at_start: f64, f: impl Fn(f64) -> f64
     (x, fx)
 }
 
-/// The intervals of θ (radians) in which `excess` is positive; one that passes 2π ends beyond it.
+/// The intervals of θ (radians) in which `excess` of a quantity is positive; one that passes 2π ends beyond it.
 ///
 /// `peak` is a place already known to be positive, for an interval so short that no sample falls in it.
 pub(crate) fn intervals(
     cam: &Cam,
     samples: &Samples,
+    quantity: Quantity,
     peak: f64,
-    excess: &dyn Fn(&Svaj, &Contact) -> f64,
+    excess: impl Fn(f64) -> f64,
 ) -> Vec<(f64, f64)> {
-    let value = |sample: &Sample| excess(&sample.motion, &sample.contact);
     let mut found: Vec<(f64, f64)> = Vec::new();
     let mut open: Option<f64> = None;
-    for (stretch, span) in cam.program.stretches().iter().zip(&samples.ranges) {
-        let at = |theta: f64| {
-            let motion = stretch.at(theta);
-            excess(&motion, &cam.follower.contact(motion))
-        };
-        let mut cross = |low: f64, high: f64, open: &mut Option<f64>| match (at(low) > 0.0, at(high) > 0.0) {
-            (false, true) => *open = Some(open.unwrap_or_else(|| root(low, high, at))),
-            (true, false) => found.push((open.take().unwrap_or(low), root(low, high, at))),
-            (true, true) if open.is_none() => *open = Some(low),
-            _ => {}
-        };
-        for pair in samples.all[span.clone()].windows(2) {
-            if open.is_none() && value(&pair[0]) <= 0.0 && value(&pair[1]) <= 0.0 {
-                if pair[0].theta < peak && peak < pair[1].theta && at(peak) > 0.0 {
-                    cross(pair[0].theta, peak, &mut open);
-                    cross(peak, pair[1].theta, &mut open);
-                }
-                continue;
+    for (stretch, span) in cam.program.stretches().iter().zip(&samples.spans) {
+        let at = |theta: f64| excess(quantity.at(cam, stretch, theta));
+        let mut along: Vec<(f64, f64)> =
+            samples.along(span, quantity).into_iter().map(|(theta, value)| (theta, excess(value))).collect();
+        if stretch.from < peak && peak < stretch.to {
+            let after = along.partition_point(|point| point.0 < peak);
+            along.insert(after, (peak, at(peak)));
+        }
+        if along[0].1 > 0.0 {
+            open = open.or(Some(stretch.from));
+        } else if let Some(from) = open.take() {
+            found.push((from, stretch.from));
+        }
+        for pair in along.windows(2) {
+            let [(low, before), (high, after)] = [pair[0], pair[1]];
+            if before <= 0.0 && after > 0.0 {
+                open = Some(root(low, high, at));
+            } else if before > 0.0 && after <= 0.0 {
+                found.push((open.take().unwrap_or(low), root(low, high, at)));
             }
-            cross(pair[0].theta, pair[1].theta, &mut open);
         }
     }
     if let Some(from) = open {

@@ -14,11 +14,11 @@ const SHALLOWEST_CUT: f64 = 1e-6;
 ///
 /// When the outward normal looks away from the centre all along (a star-shaped profile) there is nothing to look for. Otherwise
 /// the polygon of samples is searched for two sides that cross, sorted by their left ends.
-pub(crate) fn crossing(cam: &Cam, samples: &Samples) -> Option<Finding> {
-    if star_shaped(samples) {
+pub(crate) fn crossing(samples: &Samples) -> Option<Finding> {
+    if samples.star_shaped {
         return None;
     }
-    let profile = samples.profile(cam);
+    let profile = &samples.profile;
     let mut sides: Vec<(f64, f64, usize)> = profile
         .windows(2)
         .enumerate()
@@ -34,19 +34,12 @@ pub(crate) fn crossing(cam: &Cam, samples: &Samples) -> Option<Finding> {
             let apart = i.abs_diff(other);
             let neighbours = apart <= 2 || apart >= last - 1;
             if !neighbours && sides_cross(&profile[i..=i + 1], &profile[other..=other + 1]) {
-                let (theta, second) = (samples.all[i.min(other)].theta, samples.all[i.max(other)].theta);
+                let (theta, second) = (samples.theta[i.min(other)], samples.theta[i.max(other)]);
                 return Some(Finding { places: vec![theta, second], ..finding(FindingKind::SelfCrossing, theta, 0.0, 0.0, None) });
             }
         }
     }
     None
-}
-
-fn star_shaped(samples: &Samples) -> bool {
-    samples.all.iter().all(|sample| {
-        let contact = &sample.contact;
-        contact.point.re * contact.normal.re + contact.point.im * contact.normal.im > 0.0
-    })
 }
 
 fn sides_cross(a: &[Point], b: &[Point]) -> bool {
@@ -59,23 +52,23 @@ fn sides_cross(a: &[Point], b: &[Point]) -> bool {
 /// Seen from the centre of a star-shaped profile, the arm is cut where the profile reaches beyond it. Only the part of the arm
 /// within the cam's greatest radius matters, and only the profile in the sector that this part spans.
 pub(crate) fn arm_cut(cam: &Cam, samples: &Samples) -> Option<Finding> {
-    let Element::Disc { .. } = cam.follower.element else { return None };
-    if !star_shaped(samples) {
+    let Element::Disc { centre, .. } = cam.follower.element else { return None };
+    let radial = cam.follower.body == Body::Slide && centre.re == 0.0;
+    if !samples.star_shaped || radial {
         return None;
     }
-    let profile: Vec<Point> = samples.profile(cam).into_iter().step_by(ARM_STRIDE).collect();
+    let profile: Vec<Point> = samples.profile.iter().copied().step_by(ARM_STRIDE).collect();
     let reach = profile.iter().map(Point::norm_sqr).fold(0.0, f64::max).sqrt();
     let sense = cam.follower.rotation.sigma();
     let mut worst = (SHALLOWEST_CUT * cam.follower.base_radius, 0.0);
-    for (k, sample) in samples.all.iter().step_by(ARM_STRIDE).enumerate() {
-        let trace = sample.contact.trace;
-        let along = match cam.follower.body {
-            Body::Slide => Point::new(0.0, reach + trace.norm()),
-            Body::Swing { pivot } => pivot - trace,
-        };
-        let Some(tip) = leaves_circle(trace, along, reach) else { continue };
+    for (k, i) in (0..samples.pitch.len()).step_by(ARM_STRIDE).enumerate() {
         // The arm in the cam's frame, where the profile stands still.
-        let (from, tip) = (cam.in_cam_frame(trace, sample.theta), cam.in_cam_frame(tip, sample.theta));
+        let (from, turned) = (samples.pitch[i], samples.turns[i]);
+        let along = match cam.follower.body {
+            Body::Slide => Point::new(0.0, reach + from.norm()) * turned,
+            Body::Swing { pivot } => pivot * turned - from,
+        };
+        let Some(tip) = leaves_circle(from, along, reach) else { continue };
         let direction = (tip - from) / (tip - from).norm();
         let turn = cross(from, tip);
         let centre_side = cross(direction, -from);
@@ -92,7 +85,7 @@ pub(crate) fn arm_cut(cam: &Cam, samples: &Samples) -> Option<Finding> {
             }
             let beyond = -cross(direction, point - from) * centre_side.signum();
             if cross(from, point) * turn.signum() > 0.0 && beyond > worst.0 {
-                worst = (beyond, sample.theta);
+                worst = (beyond, samples.theta[i]);
             }
         }
     }

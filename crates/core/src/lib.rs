@@ -2,7 +2,7 @@
 //!
 //! A [`Program`] joins [`Segment`]s of motion [`law`]s into one cyclic turn; a [`Follower`] rests on a base circle; together
 //! they are a [`Cam`], and [`Analysis`] says everything about it: motion, profile, pressure angle, radius of curvature,
-//! and what is wrong. [`cures`] says what would put it right.
+//! and what is wrong. [`prescribe`] says what would put it right.
 //!
 //! ```
 //! use levalab_core::{Analysis, Cam, Follower, FollowerKind, Level, Program, Rotation, Segment};
@@ -42,9 +42,9 @@ mod samples;
 mod sizing;
 mod svaj;
 
-pub use analysis::{Analysis, Column, Joint, Summary};
+pub use analysis::{Analysis, Column, Summary};
 pub use cam::Cam;
-pub use cure::{Cure, cures};
+pub use cure::{Cure, prescribe};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use error::{CamError, GeometryError, GeometryProblem, ProgramError, ProgramProblem};
 pub use extreme::Extremes;
@@ -55,6 +55,6 @@ pub use follower::{
 };
 pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
-pub use program::{CLOSING_TOLERANCE, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
+pub use program::{CLOSING_TOLERANCE, MAX_SEGMENTS, Joint, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
 pub use sizing::{balanced_eccentricity, smallest_base_radius};
 pub use svaj::Svaj;

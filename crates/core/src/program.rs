@@ -43,6 +43,9 @@ pub const CLOSING_TOLERANCE: f64 = 1e-9;
 /// The narrowest segment, radians (a thousandth of a degree): less is below what any cam grinder divides.
 pub const MIN_BETA: f64 = 1e-3 * TAU / 360.0;
 
+/// A jump smaller than this part of the greatest value of its derivative is rounding, not a jump.
+const JUMP_TOLERANCE: f64 = 1e-9;
+
 /// A station this close to a joint (radians) lies on it, and takes the limit from the right.
 const SNAP: f64 = 1e-11;
 
@@ -76,6 +79,21 @@ impl Stretch {
     pub fn formula(&self) -> (Curve, f64, f64) {
         (self.curve, self.origin, self.beta)
     }
+}
+
+/// A joint between smooth stretches of the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joint {
+    /// Where it is, radians.
+    pub theta: f64,
+    /// The segment that begins there, or within which it lies.
+    pub segment: usize,
+    /// Limit from the left.
+    pub before: Svaj,
+    /// Limit from the right.
+    pub after: Svaj,
+    /// The lowest order that jumps there: 0 for *s* to 3 for *j*.
+    pub jump: Option<u8>,
 }
 
 /// A checked cyclic motion program.
@@ -148,6 +166,28 @@ impl Program {
         (0..n).map(move |i| {
             let (before, after) = (&self.stretches[(i + n - 1) % n], &self.stretches[i]);
             (after, before.at(before.to), after.at(after.from))
+        })
+    }
+
+    /// Every joint, the one at θ = 0 first, with the lowest order that jumps there.
+    ///
+    /// A difference is a jump when it is more than rounding beside the greatest value of its derivative in the program.
+    #[must_use]
+    pub fn classified_joints(&self) -> Vec<Joint> {
+        let scales: [f64; 4] = std::array::from_fn(|order| self.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max));
+        let classify = |(stretch, before, after): (&Stretch, Svaj, Svaj)| {
+            let jumps = |order: &usize| (before.order(*order) - after.order(*order)).abs() > JUMP_TOLERANCE * scales[*order];
+            let jump = (0..4).find(jumps).map(|order| order as u8);
+            Joint { theta: stretch.from, segment: stretch.segment, before, after, jump }
+        };
+        self.joints().map(classify).collect()
+    }
+
+    /// Motion at a few places of every stretch, both ends included: enough to know how large things are.
+    pub(crate) fn look(&self) -> impl Iterator<Item = Svaj> {
+        const PARTS: usize = 8;
+        self.stretches.iter().flat_map(|stretch| {
+            (0..=PARTS).map(move |i| stretch.at(stretch.from + (stretch.to - stretch.from) * i as f64 / PARTS as f64))
         })
     }
 

@@ -1,11 +1,11 @@
-//! A cam looked at in enough places: every smooth stretch with both its ends, and all the stations of the answer.
+//! A cam looked at in enough places: an even grid over the turn, and the ends of every smooth stretch.
 
 use crate::{Cam, Contact, Point, Stretch, Svaj};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// Fewest steps in which a turn is looked at, so that a verdict does not hang on how many rows were asked for.
-const LEAST_STEPS: usize = 720;
+pub(crate) const LEAST_STEPS: usize = 720;
 
 /// Fewest steps in which a stretch is looked at, however short: its extremes lie between neighbours of one bump.
 const LEAST_STEPS_OF_A_STRETCH: usize = 8;
@@ -13,88 +13,207 @@ const LEAST_STEPS_OF_A_STRETCH: usize = 8;
 /// A station this close to a joint (radians) lies on it.
 const SNAP: f64 = 1e-11;
 
-/// Motion and contact at one θ of one stretch.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Sample {
-    pub theta: f64,
-    pub motion: Svaj,
-    pub contact: Contact,
+/// Stations between two turns of the frame that are computed afresh; those between are products of two of them.
+const BLOCK: usize = 32;
+
+/// Something that varies along the turn and whose extremes matter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    S,
+    V,
+    A,
+    J,
+    PressureAngle,
+    Bend,
+    Reach,
+    Lead,
+    Radius,
 }
 
-/// Samples of a whole turn in order, stretch by stretch, both ends of each included as one-sided limits.
+impl Quantity {
+    const COUNT: usize = 9;
+    const ALWAYS: [Self; 6] = [Self::S, Self::V, Self::A, Self::J, Self::PressureAngle, Self::Bend];
+    const FLAT: [Self; 2] = [Self::Reach, Self::Lead];
+
+    #[inline(always)]
+    pub fn of(self, motion: &Svaj, contact: &Contact) -> f64 {
+        match self {
+            Self::S => motion.s,
+            Self::V => motion.v,
+            Self::A => motion.a,
+            Self::J => motion.j,
+            Self::PressureAngle => contact.pressure_angle,
+            Self::Bend => contact.bend,
+            Self::Reach => contact.reach,
+            Self::Lead => contact.lead,
+            Self::Radius => contact.point.norm(),
+        }
+    }
+
+    /// Its value at θ of a stretch.
+    pub fn at(self, cam: &Cam, stretch: &Stretch, theta: f64) -> f64 {
+        let motion = stretch.at(theta);
+        match self {
+            Self::S | Self::V | Self::A | Self::J => self.of(&motion, &NOWHERE),
+            _ => self.of(&motion, &cam.follower.contact(motion)),
+        }
+    }
+}
+
+/// Stands in for a contact that is not asked about.
+const NOWHERE: Contact = Contact {
+    point: Point::new(0.0, 0.0),
+    trace: Point::new(0.0, 0.0),
+    normal: Point::new(0.0, 0.0),
+    pressure_angle: 0.0,
+    bend: 0.0,
+    reach: 0.0,
+    sliding: 0.0,
+    lead: 0.0,
+};
+
+/// The samples of one stretch: stations of the grid, and some of its own (both ends among them).
+#[derive(Clone, Debug)]
+pub(crate) struct Span {
+    pub grid: Range<usize>,
+    pub own: Range<usize>,
+}
+
+/// A turn sampled, one array a quantity; those that no verdict on this follower needs are empty.
 pub(crate) struct Samples {
-    pub all: Vec<Sample>,
-    /// The samples of each stretch.
-    pub ranges: Vec<Range<usize>>,
-    /// For each of the stations 0 … `steps`, which sample it is; the last repeats the first.
-    pub stations: Vec<u32>,
+    pub spans: Vec<Span>,
+    pub theta: Vec<f64>,
+    pub own_theta: Vec<f64>,
+    grid: [Vec<f64>; Quantity::COUNT],
+    own: [Vec<f64>; Quantity::COUNT],
+    /// Contact and trace point at the stations of the grid, in the cam's frame.
+    pub profile: Vec<Point>,
+    pub pitch: Vec<Point>,
+    /// e^(−iσθ) at the stations of the grid.
+    pub turns: Vec<Point>,
+    /// The outward normal looks away from the cam's centre everywhere.
+    pub star_shaped: bool,
 }
 
 impl Samples {
-    /// Samples for an exact answer with `steps` rows.
+    /// Samples for an exact answer with `steps` rows: the grid has a whole multiple of them.
     pub fn of(cam: &Cam, steps: usize) -> Self {
-        Self::with_steps(cam, steps, steps * LEAST_STEPS.div_ceil(steps))
+        Self::on_grid(cam, steps * LEAST_STEPS.div_ceil(steps))
     }
 
-    /// Few samples, for a first look.
-    pub fn coarse(cam: &Cam, steps: usize) -> Self {
-        Self::with_steps(cam, steps, steps)
-    }
-
-    fn with_steps(cam: &Cam, steps: usize, fine: usize) -> Self {
+    /// Samples on a grid of `n` steps, however coarse.
+    pub fn on_grid(cam: &Cam, n: usize) -> Self {
         let stretches = cam.program.stretches();
+        let room = |wanted: bool| Vec::with_capacity(if wanted { n + 1 } else { 0 });
+        let flat = cam.follower.is_flat();
         let mut samples = Self {
-            all: Vec::with_capacity(fine + 2 + stretches.len() * 4),
-            ranges: Vec::with_capacity(stretches.len()),
-            stations: Vec::with_capacity(steps + 1),
+            spans: Vec::with_capacity(stretches.len()),
+            theta: room(true),
+            own_theta: Vec::with_capacity(3 * stretches.len()),
+            grid: std::array::from_fn(|k| room(k < Quantity::ALWAYS.len() || flat && k < Quantity::Radius as usize)),
+            own: Default::default(),
+            profile: Vec::with_capacity(n + 1),
+            pitch: Vec::with_capacity(if flat { 0 } else { n + 1 }),
+            turns: turns(cam.follower.rotation.sigma(), n),
+            star_shaped: true,
         };
-        let (step, every) = (TAU / fine as f64, fine / steps);
-        let mut next = 0;
         for stretch in stretches {
-            next = samples.look_along(cam, stretch, next, fine, step, every);
+            samples.look_along(cam, stretch, n);
         }
-        samples.stations.push(samples.stations[0]);
         samples
     }
 
-    /// Looks along one stretch from grid station `k` on; gives the first grid station of the next one.
-    fn look_along(&mut self, cam: &Cam, stretch: &Stretch, mut k: usize, fine: usize, step: f64, every: usize) -> usize {
-        let first = self.all.len();
-        let mut look = |theta: f64| {
-            let motion = stretch.at(theta);
-            self.all.push(Sample { theta, motion, contact: cam.follower.contact(motion) });
-        };
-        let on_the_grid = ((stretch.to - stretch.from) / step) as usize;
-        let extra = if on_the_grid < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 0 };
-        let mut between = (1..extra).map(|i| stretch.from + (stretch.to - stretch.from) * i as f64 / extra as f64).peekable();
-        let mut count = first;
-        if k >= fine || k as f64 * step > stretch.from + SNAP {
-            look(stretch.from);
-            count += 1;
-        }
-        while k < fine && k as f64 * step < stretch.to - SNAP {
-            let theta = k as f64 * step;
-            while let Some(early) = between.next_if(|&early| early < theta - SNAP) {
-                look(early);
-                count += 1;
-            }
-            look(theta);
-            if k % every == 0 {
-                self.stations.push(count as u32);
-            }
-            count += 1;
-            k += 1;
-        }
-        for late in between {
-            look(late);
-        }
-        look(stretch.to);
-        self.ranges.push(first..self.all.len());
-        k
+    /// A quantity at the stations of the grid.
+    pub fn grid(&self, quantity: Quantity) -> &[f64] {
+        &self.grid[quantity as usize]
     }
 
-    /// The profile in the cam's frame, sample by sample.
-    pub fn profile(&self, cam: &Cam) -> Vec<Point> {
-        self.all.iter().map(|sample| cam.in_cam_frame(sample.contact.point, sample.theta)).collect()
+    /// A quantity at the samples that stretches have of their own.
+    pub fn own(&self, quantity: Quantity) -> &[f64] {
+        &self.own[quantity as usize]
     }
+
+    /// Takes the grid's values of a quantity out.
+    pub fn take(&mut self, quantity: Quantity) -> Vec<f64> {
+        std::mem::take(&mut self.grid[quantity as usize])
+    }
+
+    /// Adds the distance of the contact from the cam's centre, which only a cam beside a pivot needs.
+    pub fn measure_radius(&mut self, cam: &Cam) {
+        self.grid[Quantity::Radius as usize] = self.profile.iter().map(|point| point.norm()).collect();
+        let stretches = cam.program.stretches().iter().zip(&self.spans);
+        let own = stretches.flat_map(|(stretch, span)| {
+            self.own_theta[span.own.clone()].iter().map(move |&theta| Quantity::Radius.at(cam, stretch, theta))
+        });
+        self.own[Quantity::Radius as usize] = own.collect();
+    }
+
+    /// The samples of a stretch in order of θ, with the values of a quantity.
+    pub fn along(&self, span: &Span, quantity: Quantity) -> Vec<(f64, f64)> {
+        let of_grid = span.grid.clone().map(|i| (self.theta[i], self.grid(quantity)[i]));
+        let of_its_own = span.own.clone().map(|i| (self.own_theta[i], self.own(quantity)[i]));
+        let mut all: Vec<(f64, f64)> = of_grid.chain(of_its_own).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        all
+    }
+
+    fn look_along(&mut self, cam: &Cam, stretch: &Stretch, n: usize) {
+        let step = TAU / n as f64;
+        let first = self.theta.len();
+        let after = if stretch.to >= TAU { n } else { ((stretch.to - SNAP) / step).ceil() as usize };
+        for k in first..after {
+            let theta = TAU * k as f64 / n as f64;
+            let motion = stretch.at(theta);
+            let contact = cam.follower.contact(motion);
+            self.theta.push(theta);
+            put(&mut self.grid, cam, &motion, &contact);
+            self.profile.push(contact.point * self.turns[k]);
+            if !cam.follower.is_flat() {
+                self.pitch.push(contact.trace * self.turns[k]);
+            }
+            self.star_shaped &= looks_away(&contact);
+        }
+        let own_first = self.own_theta.len();
+        let starts_on_grid = first < after && self.theta[first] - stretch.from < SNAP;
+        let parts = if after.saturating_sub(first) < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
+        for i in usize::from(starts_on_grid)..=parts {
+            let theta = if i == parts { stretch.to } else { stretch.from + (stretch.to - stretch.from) * i as f64 / parts as f64 };
+            let motion = stretch.at(theta);
+            let contact = cam.follower.contact(motion);
+            self.own_theta.push(theta);
+            put(&mut self.own, cam, &motion, &contact);
+            self.star_shaped &= looks_away(&contact);
+        }
+        self.spans.push(Span { grid: first..after.max(first), own: own_first..self.own_theta.len() });
+    }
+}
+
+#[inline(always)]
+fn put(columns: &mut [Vec<f64>; Quantity::COUNT], cam: &Cam, motion: &Svaj, contact: &Contact) {
+    for quantity in Quantity::ALWAYS {
+        columns[quantity as usize].push(quantity.of(motion, contact));
+    }
+    if cam.follower.is_flat() {
+        for quantity in Quantity::FLAT {
+            columns[quantity as usize].push(quantity.of(motion, contact));
+        }
+    }
+}
+
+#[inline(always)]
+fn looks_away(contact: &Contact) -> bool {
+    contact.point.re * contact.normal.re + contact.point.im * contact.normal.im > 0.0
+}
+
+/// e^(−iσθ) at θ = 2πk/n for k = 0 … n: every [`BLOCK`]-th computed, the others one product away, so nothing accumulates.
+fn turns(sigma: f64, n: usize) -> Vec<Point> {
+    let turn = |k: usize| Point::from_polar(1.0, -sigma * TAU * k as f64 / n as f64);
+    let within: [Point; BLOCK] = std::array::from_fn(turn);
+    let mut turns = Vec::with_capacity(n + BLOCK);
+    for block in (0..=n).step_by(BLOCK) {
+        let start = turn(block);
+        turns.extend(within.iter().map(|part| start * part));
+    }
+    turns.truncate(n + 1);
+    turns
 }

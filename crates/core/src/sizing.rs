@@ -1,8 +1,8 @@
 //! The smallest cam that passes, and the eccentricity that balances the pressure angle: solved, not stepped.
 
 use crate::extreme::{extremes, root};
-use crate::samples::Samples;
-use crate::{Analysis, Body, Cam, FindingKind, Follower};
+use crate::samples::{LEAST_STEPS, Quantity, Samples};
+use crate::{Analysis, Body, Cam, FindingKind};
 
 /// Steps of the first, coarse look at a candidate cam.
 const COARSE_STEPS: usize = 120;
@@ -11,7 +11,13 @@ const COARSE_STEPS: usize = 120;
 const CANDIDATES: usize = 64;
 
 /// How many times smaller and larger than the cam itself a base circle is looked for.
-const SPAN: f64 = 100.0;
+const SPAN: f64 = 1000.0;
+
+/// Ratio of one base radius to the next in the search for one that passes.
+const STRIDE: f64 = 1.5;
+
+/// The least ρ that is no cusp, as a part of the base radius: twice what an analysis takes for one.
+const CLEAR_OF_CUSP: f64 = 2e-9;
 
 /// Parts of a radius by which a solved cam is set inside its limit, so that rounding does not put it outside.
 const INSIDE: f64 = 1e-12;
@@ -25,16 +31,18 @@ const INSIDE: f64 = 1e-12;
 /// A jump of the motion is not cured by any base circle and is not looked at.
 #[must_use]
 pub fn smallest_base_radius(cam: &Cam) -> Option<f64> {
-    let tried = candidates(cam);
     let passes = |base_radius: f64, steps: usize| shortfall(cam, base_radius, steps) <= 0.0;
-    let first = tried.iter().position(|&radius| passes(radius, COARSE_STEPS))?;
-    if first == 0 {
-        return Some(tried[0]);
-    }
-    // The coarse look may pass what the exact one fails: move up until it agrees.
-    let high = tried[first..].iter().copied().find(|&radius| passes(radius, 720))?;
-    let low = tried.iter().copied().filter(|&radius| radius < high).next_back()?;
-    let exact = |radius: f64| shortfall(cam, radius, 720);
+    let (low, high) = match cam.follower.body {
+        Body::Slide => bracket_of_a_slide(cam, passes)?,
+        Body::Swing { pivot } => {
+            let tried = candidates(cam, pivot.norm());
+            let first = tried.iter().position(|&radius| passes(radius, COARSE_STEPS))?;
+            // The coarse look may pass what the exact one fails: move up until it agrees.
+            let first = first + tried[first..].iter().position(|&radius| passes(radius, LEAST_STEPS))?;
+            (if first == 0 { 0.0 } else { tried[first - 1] }, tried[first])
+        }
+    };
+    let exact = |radius: f64| shortfall(cam, radius, LEAST_STEPS);
     let solved = if exact(low).is_finite() { root(low, high, exact) } else { bisect(low, high, exact) };
     let solved = solved * (1.0 + INSIDE);
     geometry_passes(&cam.with_base_radius(solved).ok()?).then_some(solved)
@@ -48,7 +56,7 @@ pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
     let imbalance = |eccentricity: f64| {
         let Ok(follower) = cam.follower.with_value(index, eccentricity) else { return f64::NAN };
         let moved = Cam::new(cam.program.clone(), follower);
-        let angles = extremes(&moved, &Samples::of(&moved, 720), |_, contact| contact.pressure_angle);
+        let angles = extremes(&moved, &Samples::on_grid(&moved, LEAST_STEPS), Quantity::PressureAngle);
         angles.max + angles.min
     };
     let edge = 0.9 * prime_radius;
@@ -58,59 +66,78 @@ pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
 
 /// True when nothing but the motion itself is to blame.
 pub(crate) fn geometry_passes(cam: &Cam) -> bool {
-    Analysis::of(cam, 720).findings.iter().all(|finding| matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase))
+    Analysis::of(cam, LEAST_STEPS).findings.iter().all(|finding| matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase))
 }
 
 /// How far a base radius is from passing: positive when it fails, infinite when the geometry cannot be.
 fn shortfall(cam: &Cam, base_radius: f64, steps: usize) -> f64 {
     let Ok(follower) = cam.follower.with_base_radius(base_radius) else { return f64::INFINITY };
     let sized = Cam::new(cam.program.clone(), follower);
-    let samples = if steps < 720 { Samples::coarse(&sized, steps) } else { Samples::of(&sized, steps) };
-    let angle = extremes(&sized, &samples, |_, contact| contact.pressure_angle).greatest_size().0;
+    let mut samples = Samples::on_grid(&sized, steps);
+    if let Body::Swing { .. } = follower.body {
+        samples.measure_radius(&sized);
+    }
+    let angle = extremes(&sized, &samples, Quantity::PressureAngle).greatest_size().0;
     let steepness = angle / follower.pressure_angle_limit() - 1.0;
-    steepness.max(-least_regularity(&sized, &samples, &follower)).max(misplacement(&sized, &samples))
+    steepness.max(-roundness(&sized, &samples)).max(misplacement(&sized, &samples))
 }
 
-fn least_regularity(cam: &Cam, samples: &Samples, follower: &Follower) -> f64 {
-    let bend = extremes(cam, samples, |_, contact| contact.bend);
-    follower.regularity(if follower.is_flat() { bend.min } else { bend.max })
+/// How far the least convex ρ is from a cusp, in base radii; much, when nothing is convex.
+fn roundness(cam: &Cam, samples: &Samples) -> f64 {
+    let bend = extremes(cam, samples, Quantity::Bend);
+    let tightest = if cam.follower.is_flat() { bend.min } else { bend.max.max(f64::MIN_POSITIVE) };
+    (cam.follower.profile_radius(tightest) / cam.follower.base_radius - CLEAR_OF_CUSP).min(1.0)
 }
 
 /// Positive when a swinging face lags behind the cam or loses its contact past the pivot, or when the cam reaches the pivot.
 fn misplacement(cam: &Cam, samples: &Samples) -> f64 {
     let Body::Swing { pivot } = cam.follower.body else { return f64::NEG_INFINITY };
-    let outermost = samples.all.iter().map(|sample| sample.contact.point.norm()).fold(0.0, f64::max);
-    let past_pivot = outermost / pivot.norm() - 1.0;
+    let past_pivot = extremes(cam, samples, Quantity::Radius).max / pivot.norm() - 1.0;
     if !cam.follower.is_flat() {
         return past_pivot;
     }
-    let reach = samples.all.iter().map(|sample| sample.contact.reach).fold(f64::INFINITY, f64::min);
-    let lead = samples.all.iter().map(|sample| sample.contact.lead).fold(f64::INFINITY, f64::min);
+    let reach = extremes(cam, samples, Quantity::Reach).min;
+    let lead = extremes(cam, samples, Quantity::Lead).min;
     past_pivot.max(-reach / pivot.norm()).max(-lead)
 }
 
-/// Base radii to try, from small to large: evenly where a pivot bounds them, in proportion where nothing does.
-fn candidates(cam: &Cam) -> Vec<f64> {
-    let part = |i: usize| i as f64 / CANDIDATES as f64;
-    let (low, high) = match cam.follower.body {
-        Body::Slide => {
-            let travel = cam.program.stretches().iter().map(|stretch| stretch.at(stretch.to).s.abs()).fold(0.0, f64::max);
-            let size = cam.follower.base_radius.max(travel).max(cam.follower.disc_radius());
-            return (0..=2 * CANDIDATES).map(|i| size / SPAN * (SPAN * SPAN).powf(part(i) / 2.0)).collect();
+/// A failing and a passing base radius for a sliding follower, whose limits are all kept better by a larger base circle.
+fn bracket_of_a_slide(cam: &Cam, passes: impl Fn(f64, usize) -> bool) -> Option<(f64, f64)> {
+    let now = cam.follower.base_radius;
+    let mut radius = now;
+    if passes(radius, LEAST_STEPS) {
+        while radius > now / SPAN {
+            if !passes(radius / STRIDE, LEAST_STEPS) {
+                return Some((radius / STRIDE, radius));
+            }
+            radius /= STRIDE;
         }
-        Body::Swing { pivot } => match (cam.follower.value("arm"), cam.follower.value("face_offset")) {
-            (Some(arm), _) => {
-                let radius = cam.follower.disc_radius();
-                ((pivot.norm() - arm).abs() - radius, pivot.norm() + arm - radius)
-            }
-            (None, offset) => {
-                let offset = offset.unwrap_or(0.0);
-                (offset - pivot.norm(), offset + pivot.norm())
-            }
-        },
+        return Some((0.0, radius));
+    }
+    while radius < now * SPAN {
+        if passes(radius * STRIDE, LEAST_STEPS) {
+            return Some((radius, radius * STRIDE));
+        }
+        radius *= STRIDE;
+    }
+    None
+}
+
+/// Base radii to try for a swinging follower, evenly between those that its pivot allows.
+fn candidates(cam: &Cam, pivot_distance: f64) -> Vec<f64> {
+    let follower = &cam.follower;
+    let (low, high) = match follower.value("arm") {
+        Some(arm) => {
+            let radius = follower.disc_radius();
+            ((pivot_distance - arm).abs() - radius, pivot_distance + arm - radius)
+        }
+        None => {
+            let offset = follower.value("face_offset").unwrap_or(0.0);
+            (offset - pivot_distance, offset + pivot_distance)
+        }
     };
     let low = low.max(0.0);
-    (1..CANDIDATES).map(|i| low + (high - low) * part(i)).collect()
+    (1..CANDIDATES).map(|i| low + (high - low) * i as f64 / CANDIDATES as f64).collect()
 }
 
 /// The boundary of a condition that is infinite on its failing side.

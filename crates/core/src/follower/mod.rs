@@ -70,8 +70,11 @@ pub struct FollowerKind {
     pub contact: ContactKind,
     /// What it takes besides the base radius.
     pub parameters: &'static [Parameter],
-    place: fn(f64, &FollowerValues) -> Result<(Body, Element), GeometryError>,
+    place: fn(f64, &FollowerValues) -> Placement,
 }
+
+/// Where body and element lie at s = 0, or the magnitude that makes it impossible.
+type Placement = Result<(Body, Element), GeometryError>;
 
 impl FollowerKind {
     /// The kind of that name.
@@ -255,7 +258,7 @@ const FACE_ANGLE: Parameter =
     Parameter { key: "face_angle", symbol: "γ", quantity: Quantity::Angle, default: Some(0.0), optional: true };
 
 /// A translating disc of that radius on an axis at eccentricity e: F = e + i·(s₀ + s), s₀ = √(Rp² − e²).
-fn sliding_disc(base_radius: f64, radius: f64, eccentricity: f64) -> Result<(Body, Element), GeometryError> {
+fn sliding_disc(base_radius: f64, radius: f64, eccentricity: f64) -> Placement {
     let prime_radius = base_radius + radius;
     if eccentricity.abs() >= prime_radius {
         let problem = GeometryProblem::Eccentricity { found: eccentricity, prime_radius };

@@ -20,8 +20,8 @@ where
     Const<N>: DimMin<Const<N>, Output = Const<N>>,
 {
     let mut coefficients = [0.0; 8];
-    for k in 0..N {
-        coefficients[k] = start.order(k) / falling_factorial(k, k);
+    for (k, coefficient) in coefficients.iter_mut().enumerate().take(N) {
+        *coefficient = start.order(k) / falling_factorial(k, k);
     }
     let matrix = SMatrix::<f64, N, N>::from_fn(|order, column| falling_factorial(N + column, order));
     let known = SVector::<f64, N>::from_fn(|order, _| {

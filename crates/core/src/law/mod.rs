@@ -186,6 +186,7 @@ fn halves(first: Curve, second: Curve) -> Vec<Piece> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::{FRAC_PI_2, TAU};
 
     fn rising(law: &Law) -> Vec<Piece> {
         law.unit(Arguments { parameters: law.default_parameters(), falling: false }).expect(law.id)
@@ -251,9 +252,9 @@ mod tests {
             ("parabolic", &[2.0, 4.0, 0.0]),
             ("cubic-1", &[3.0, 12.0, 24.0]),
             ("cubic-2", &[1.5, 6.0, 12.0]),
-            ("simple-harmonic", &[1.5708, 4.9348, 15.503]),
+            ("simple-harmonic", &[FRAC_PI_2, 4.9348, 15.503]),
             ("double-harmonic", &[2.0405, 9.8696, 42.41]),
-            ("cycloidal", &[2.0, 6.2832, 39.478]),
+            ("cycloidal", &[2.0, TAU, 39.478]),
             ("polynomial-3-4-5", &[1.875, 5.7735, 60.0]),
             ("polynomial-4-5-6-7", &[2.1875, 7.5132, 52.5]),
             ("modified-trapezoidal", &[2.0, 4.8881, 61.43]),
@@ -285,7 +286,7 @@ mod tests {
         assert_eq!(pieces.len(), 1, "a cycloidal is one formula");
         for i in 0..=50 {
             let x = f64::from(i) / 50.0;
-            let closed = x - (std::f64::consts::TAU * x).sin() / std::f64::consts::TAU;
+            let closed = x - (TAU * x).sin() / TAU;
             assert!((pieces[0].curve.at(x).s - closed).abs() < 1e-15);
         }
     }
@@ -316,10 +317,9 @@ mod tests {
 
     #[test]
     fn half_laws_rest_at_one_end_and_run_on_at_the_other() {
-        let half_pi = std::f64::consts::FRAC_PI_2;
-        for (id, start, end) in [
-            ("half-harmonic-start", 0.0, half_pi),
-            ("half-harmonic-end", half_pi, 0.0),
+                for (id, start, end) in [
+            ("half-harmonic-start", 0.0, FRAC_PI_2),
+            ("half-harmonic-end", FRAC_PI_2, 0.0),
             ("half-cycloidal-start", 0.0, 2.0),
             ("half-cycloidal-end", 2.0, 0.0),
         ] {
