@@ -1,0 +1,297 @@
+/**
+ * The diagrams: s, v, a, j on one axis, φ and ρ on their own, with the cursor that they share.
+ *
+ * @import { Context, Diagram, State, Tab } from "./types.d.ts"
+ * @import { Plot } from "./stage/plots.js"
+ * @import { Row } from "./stage/overlay.js"
+ */
+import { h, s } from "./dom.js";
+import { afterKey, stepped, stride, wrap } from "./stage/clock.js";
+import { instant } from "./stage/instant.js";
+import { metered } from "./stage/meter.js";
+import { atTheta, drawOverlay, thetaAt } from "./stage/overlay.js";
+import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
+import { PLOTS, TABS, scaleOf, styleOf, unitOf } from "./stage/plots.js";
+import { vectorDrawings } from "./stage/print.js";
+
+/** plotters draws at whole pixels: with fewer than two of them for a CSS pixel slow curves show steps. */
+const LEAST_RATIO = 2;
+const SHARPEST = 3;
+/** Room for the labels of θ under the last diagram, in heights of the type. */
+const FOOT = 1.9;
+
+/**
+ * @param {HTMLElement} root
+ * @param {Context} context
+ */
+export function mount(root, context) {
+  const { store, lab, t, format } = context;
+  const figures = /** @type {Record<Diagram, ReturnType<typeof figure>>} */ (Object.fromEntries(Object.values(PLOTS).map((plot) => [plot.diagram, figure(plot)])));
+  const overlay = h("canvas", {
+    class: "diagram-overlay", tabindex: "0", role: "slider", "aria-valuemin": "0", "aria-valuemax": "360", "aria-orientation": "horizontal",
+  });
+  const note = h("p", { class: "diagram-note" });
+  const plots = h("div", { class: "diagram-plots" }, ...Object.values(figures).map(({ element }) => element), overlay);
+  const tabs = choice("diagram-tab", ["svaj", "pressure_angle", "rho"], (value) => store.set({ tab: /** @type {Tab} */ (value) }));
+  const timing = choice("diagram-timing", ["radian", "second"], (value) => store.set({ perSecond: value === "second" }));
+  root.append(plots, note, h("div", { class: "diagram-bar" }, tabs.element, timing.element));
+
+  const surface = /** @type {CanvasRenderingContext2D} */ (overlay.getContext("2d"));
+  let palette = readPalette();
+  let ratio = LEAST_RATIO;
+  let width = 0;
+  let height = 0;
+  /** @type {Row[]} */
+  let rows = [];
+  let hover = NaN;
+  let dragging = false;
+  let drawing = false;
+
+  new ResizeObserver(() => {
+    drawAll();
+  }).observe(plots);
+  onAppearance(() => {
+    palette = readPalette();
+    schedule();
+  });
+  store.subscribe(["report", "perSecond", "language", "tab"], (_, changed) => {
+    word();
+    if (changed.has("tab")) arrange();
+    drawAll();
+  });
+  const moved = metered(drawCursor);
+  store.subscribe(["cursor", "highlight"], (_, changed) => {
+    if (!changed.has("report") && !changed.has("tab") && !changed.has("perSecond") && !changed.has("language")) moved();
+  });
+  store.subscribe(["cursor", "playing", "language"], tellCursor);
+  store.subscribe(["stale", "error"], ({ stale }) => root.toggleAttribute("data-stale", stale));
+  arrange();
+  if (ready()) {
+    word();
+    tellCursor();
+  }
+
+  /** False until the first design has been opened. */
+  function ready() {
+    return /** @type {State["report"] | undefined} */ (store.state.report) !== undefined;
+  }
+
+  function arrange() {
+    const shown = TABS[store.state.tab];
+    for (const { plot, element } of Object.values(figures)) element.hidden = !shown.includes(plot.diagram);
+    plots.dataset["count"] = String(shown.length);
+  }
+
+  function schedule() {
+    if (drawing) return;
+    drawing = true;
+    requestAnimationFrame(() => {
+      drawing = false;
+      drawAll();
+    });
+  }
+
+  /** Draws the curves of the chosen tab: once a design, size, theme or language. */
+  function drawAll() {
+    width = plots.clientWidth;
+    height = plots.clientHeight;
+    if (width === 0 || height === 0 || !ready()) return;
+    ratio = Math.min(Math.max(devicePixelRatio, LEAST_RATIO), SHARPEST);
+    const shown = TABS[store.state.tab];
+    const foot = Math.round(palette.chartSize * FOOT);
+    const each = Math.floor((height - foot) / shown.length);
+    rows = shown.map((diagram, i) => {
+      const { plot, element, canvas } = figures[diagram];
+      const labels = i === shown.length - 1;
+      const tall = each + (labels ? foot : 0);
+      element.style.height = `${tall}px`;
+      canvas.style.height = `${tall}px`;
+      const wide = canvas.clientWidth;
+      canvas.width = Math.round(wide * ratio);
+      canvas.height = Math.round(tall * ratio);
+      const { perSecond, language } = store.state;
+      const area = lab().draw(canvas, diagram, styleOf(plot, palette, { width: wide, height: tall, ratio, perSecond, labels, language }));
+      return { area, x: canvas.offsetLeft, y: i * each, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
+    });
+    overlay.width = Math.round(width * ratio);
+    overlay.height = Math.round(height * ratio);
+    drawCursor();
+  }
+
+  function drawCursor() {
+    if (rows.length === 0 || !ready()) return;
+    const { cursor, highlight, report } = store.state;
+    drawOverlay(surface, { rows, width, height, ratio, cursor, hover, label: `θ ${format.angle(cursor)}`, highlight, report, at: instant(context), palette });
+  }
+
+  /** For a reader of the screen; not sixty times a second. */
+  function tellCursor() {
+    const { playing, cursor } = store.state;
+    if (playing && overlay.hasAttribute("aria-valuenow")) return;
+    overlay.setAttribute("aria-valuenow", cursor.toFixed(1));
+    overlay.setAttribute("aria-valuetext", `θ ${format.angle(cursor)}`);
+  }
+
+  function word() {
+    const { report, perSecond, tab } = store.state;
+    root.setAttribute("aria-label", t("diagram.title"));
+    overlay.setAttribute("aria-label", t("diagram.cursor"));
+    tabs.word(t("diagram.choose"), (value) => (value === "svaj" ? "SVAJ" : value === "rho" ? "ρ" : "φ"), (value) => t(`diagram.tab.${value}`), tab);
+    timing.word(t("diagram.timing"), (value) => t(`diagram.per.${value}.short`), (value) => t(`diagram.per.${value}`), perSecond ? "second" : "radian");
+    timing.element.disabled = tab !== "svaj";
+    note.textContent = tab === "svaj" ? "" : t(`diagram.note.${tab}`);
+    note.hidden = tab === "svaj";
+    if (!ready()) return;
+    for (const { plot, canvas, letter, name, unit } of Object.values(figures)) {
+      const measure = unitOf(plot, report, perSecond);
+      const title = t(`diagram.name.${plot.diagram}`);
+      letter.textContent = perSecond ? plot.perSecond : plot.letter;
+      name.textContent = title;
+      unit.textContent = measure;
+      canvas.setAttribute("aria-label", alternative(plot, title, letter.textContent, measure));
+    }
+  }
+
+  /**
+   * The diagram in a sentence.
+   * @param {Plot} plot
+   * @param {string} name
+   * @param {string} letter
+   * @param {string} unit
+   */
+  function alternative(plot, name, letter, unit) {
+    const { report, perSecond } = store.state;
+    const range = report.summary[plot.diagram];
+    if (!range) return t("diagram.alternative.none", { name, letter });
+    const factor = scaleOf(plot, report, perSecond);
+    /** @param {number | null} value */
+    const say = (value) => (value === null ? "∞" : format.quantity(value * factor, { trim: true, unit }));
+    return t("diagram.alternative", {
+      name, letter, min: say(range.min), max: say(range.max), minAt: format.angle(range.min_at), maxAt: format.angle(range.max_at),
+    });
+  }
+
+  /** @param {MouseEvent} event */
+  function thetaUnder(event) {
+    const [first] = rows;
+    return first ? Math.min(Math.max(thetaAt(first, event.offsetX), 0), 359.9) : 0;
+  }
+
+  /** @param {PointerEvent} event */
+  function drag(event) {
+    store.set({ cursor: wrap(Math.round(thetaUnder(event) * 10) / 10), playing: false });
+  }
+
+  overlay.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    overlay.setPointerCapture(event.pointerId);
+    dragging = true;
+    drag(event);
+  });
+  overlay.addEventListener("pointermove", (event) => {
+    if (dragging) {
+      drag(event);
+      return;
+    }
+    const [first] = rows;
+    if (!first || event.pointerType === "touch") return;
+    const inside = event.offsetX >= atTheta(first, 0) && event.offsetX <= atTheta(first, 360);
+    hover = inside ? thetaUnder(event) : NaN;
+    lightSegment(inside ? store.state.report.borders.findIndex((border) => border > hover) - 1 : -1);
+    drawCursor();
+  });
+  for (const name of /** @type {const} */ (["pointerup", "pointercancel"])) {
+    overlay.addEventListener(name, () => {
+      dragging = false;
+    });
+  }
+  overlay.addEventListener("pointerleave", () => {
+    hover = NaN;
+    lightSegment(-1);
+    drawCursor();
+  });
+
+  /** @param {number} segment */
+  function lightSegment(segment) {
+    const lit = store.state.highlight?.segment ?? -1;
+    if (lit !== segment) store.set({ highlight: segment < 0 ? null : { segment } });
+  }
+
+  overlay.addEventListener(
+    "wheel",
+    (event) => {
+      if (event.ctrlKey) return;
+      event.preventDefault();
+      const way = Math.sign(event.deltaY || event.deltaX);
+      if (way !== 0) store.set({ cursor: stepped(store.state.cursor, way * stride(event)), playing: false });
+    },
+    { passive: false },
+  );
+  overlay.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey) return;
+    if (event.key === " ") store.set({ playing: !store.state.playing });
+    else {
+      const cursor = afterKey(store.state.cursor, event);
+      if (cursor === null) return;
+      store.set({ cursor, playing: false });
+    }
+    event.preventDefault();
+  });
+
+  vectorDrawings(() =>
+    TABS[store.state.tab].map((diagram) => {
+      const { plot, canvas } = figures[diagram];
+      const { perSecond, language } = store.state;
+      const given = { width: canvas.clientWidth, height: canvas.clientHeight, ratio: 1, perSecond, labels: true, language };
+      return { canvas, svg: lab().svg(diagram, styleOf(plot, paperPalette(), given)) };
+    }),
+  );
+}
+
+/**
+ * One diagram: letter, name, unit and a sample of its line, and its canvas.
+ * @param {Plot} plot
+ */
+function figure(plot) {
+  const canvas = h("canvas", { class: "diagram-canvas", role: "img" });
+  const letter = h("i", { class: "symbol" });
+  const name = h("span", { class: "diagram-name" });
+  const unit = h("span", { class: "diagram-unit" });
+  const sample = s("svg", { class: "diagram-sample", viewBox: "0 0 34 6", "aria-hidden": "true" }, s("path", { d: "M1 3H33" }));
+  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", {}, letter, unit, name, sample), canvas);
+  return { plot, element, canvas, letter, name, unit };
+}
+
+/**
+ * A row of radio buttons that looks like one switch.
+ * @param {string} name
+ * @param {string[]} values
+ * @param {(value: string) => void} onchange
+ */
+function choice(name, values, onchange) {
+  const legend = h("legend", { class: "unseen" });
+  const options = values.map((value) => {
+    const input = h("input", { type: "radio", name, value, class: "unseen", onchange: () => onchange(value) });
+    const text = h("span");
+    return { value, input, text, label: h("label", {}, input, text) };
+  });
+  const element = h("fieldset", { class: "diagram-choice" }, legend, ...options.map(({ label }) => label));
+  return {
+    element,
+    /**
+     * @param {string} title
+     * @param {(value: string) => string} short
+     * @param {(value: string) => string} long
+     * @param {string} chosen
+     */
+    word(title, short, long, chosen) {
+      legend.textContent = title;
+      for (const { value, input, text, label } of options) {
+        text.textContent = short(value);
+        label.title = long(value);
+        input.setAttribute("aria-label", `${short(value)} (${long(value)})`);
+        input.checked = value === chosen;
+      }
+    },
+  };
+}

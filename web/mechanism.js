@@ -1,0 +1,257 @@
+/**
+ * The mechanism: cam and follower to scale, turning; its layers, its window, what the pointer is on.
+ *
+ * @import { Context, State } from "./types.d.ts"
+ * @import { View } from "./stage/view.js"
+ */
+import { h, s } from "./dom.js";
+import { STEP, handle } from "./stage/handling.js";
+import { instant } from "./stage/instant.js";
+import { LAYERS, applies } from "./stage/layers.js";
+import { metered } from "./stage/meter.js";
+import { onAppearance, readPalette } from "./stage/palette.js";
+import { Pen } from "./stage/pen.js";
+import { Scene } from "./stage/scene.js";
+import { approach, fitView, zoomed } from "./stage/view.js";
+
+/** Free room around the picture, CSS pixels. */
+const MARGIN = 14;
+/** Share of the way that a moving view covers in a frame. */
+const GLIDE = 0.22;
+/** How far the scale may leave that of the fitted picture. */
+const FARTHEST = 0.2;
+const NEAREST = 60;
+/** A canvas does not get sharper than this many device pixels for a CSS pixel. */
+const SHARPEST = 3;
+
+/**
+ * @param {HTMLElement} root
+ * @param {Context} context
+ */
+export function mount(root, context) {
+  const { store, lab, t, format } = context;
+  const canvas = h("canvas", { class: "stage-canvas", tabindex: "0", role: "img", "aria-describedby": "stage-keys" });
+  const keys = h("p", { id: "stage-keys", class: "unseen" });
+  const coordinates = h("output", { class: "stage-coordinates", "aria-live": "off" });
+  const menu = layersMenu(context);
+  const buttons = /** @type {const} */ ({
+    out: h("button", { type: "button", class: "stage-zoom", onclick: () => zoomMiddle(1 / STEP) }, "−"),
+    in: h("button", { type: "button", class: "stage-zoom", onclick: () => zoomMiddle(STEP) }, "+"),
+    fit: h("button", { type: "button", onclick: fit }),
+  });
+  const frame = h("div", { class: "stage-frame" }, canvas);
+  root.append(frame, keys, h("div", { class: "stage-bar" }, menu.root, coordinates, h("div", { class: "stage-zooms", role: "group" }, buttons.out, buttons.in, buttons.fit)));
+
+  const surface = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  const pen = new Pen(surface, readPalette());
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  let width = 0;
+  let height = 0;
+  /** @type {Scene | null} */
+  let scene = null;
+  /** @type {View | null} */
+  let goal = null;
+  /** True once the user has chosen what to see: then only a wholly other mechanism moves the view. */
+  let chosen = false;
+  let gliding = false;
+  let drawing = false;
+  let kind = "";
+  /** @type {{ x: number, y: number } | null} */
+  let pointer = null;
+
+  const draw = metered(() => {
+    if (!scene || width === 0) return;
+    scene.draw(pen, store.state, instant(context), format, width, height);
+  });
+
+  new ResizeObserver(() => {
+    width = frame.clientWidth;
+    height = frame.clientHeight;
+    pen.ratio = Math.min(Math.max(devicePixelRatio, 1), SHARPEST);
+    canvas.width = Math.round(width * pen.ratio);
+    canvas.height = Math.round(height * pen.ratio);
+    if (scene && (!chosen || goal === null)) look(true);
+    draw();
+  }).observe(frame);
+
+  onAppearance(() => {
+    pen.palette = readPalette();
+    schedule();
+  });
+
+  store.subscribe(["report"], () => {
+    rebuild();
+    draw();
+  });
+  store.subscribe(["cursor", "layers", "highlight"], (_, changed) => {
+    if (!changed.has("report")) draw();
+  });
+  store.subscribe(["layers", "language", "report"], () => menu.update());
+  store.subscribe(["language", "report"], word);
+  store.subscribe(["stale", "error"], ({ stale }) => root.toggleAttribute("data-stale", stale));
+
+  handle({
+    canvas,
+    store,
+    view: () => pen.view,
+    sense: () => store.state.report.mechanism.sense,
+    onCam(x, y) {
+      if (!scene) return false;
+      const angle = -scene.camAngle(store.state.cursor);
+      const [c, n] = [Math.cos(angle), Math.sin(angle)];
+      surface.setTransform(1, 0, 0, 1, 0, 0);
+      return surface.isPointInPath(scene.cam.profile, x * c - y * n, x * n + y * c);
+    },
+    zoom(factor, px, py) {
+      if (!goal) return;
+      settle(zoomed(pen.view, factor, px, py, fitted().scale * FARTHEST, fitted().scale * NEAREST));
+    },
+    pan(dx, dy) {
+      settle({ scale: pen.view.scale, x: pen.view.x + dx, y: pen.view.y + dy });
+    },
+    fit,
+    hover(point) {
+      pointer = point;
+      tellPointer();
+    },
+  });
+  if (/** @type {State["report"] | undefined} */ (store.state.report)) rebuild();
+  menu.update();
+  word();
+
+  function rebuild() {
+    const { report } = store.state;
+    const other = `${report.mechanism.motion} ${report.mechanism.contact} ${report.units.length}`;
+    scene = new Scene(report, lab(), scene);
+    if (other !== kind) chosen = false;
+    if (!chosen) look(kind === "");
+    kind = other;
+  }
+
+  function fitted() {
+    return fitView(/** @type {Scene} */ (scene).follower.box, width, height, MARGIN);
+  }
+
+  /**
+   * Shows everything, gliding there unless motion is unwanted.
+   * @param {boolean} atOnce
+   */
+  function look(atOnce) {
+    if (width === 0) return;
+    goal = fitted();
+    if (atOnce || still.matches) Object.assign(pen.view, goal);
+    else if (!gliding) {
+      gliding = true;
+      requestAnimationFrame(glide);
+    }
+  }
+
+  function glide() {
+    if (goal && !approach(pen.view, goal, GLIDE)) requestAnimationFrame(glide);
+    else gliding = false;
+    draw();
+  }
+
+  function fit() {
+    chosen = false;
+    look(false);
+    schedule();
+  }
+
+  /** @param {View} view  as the user wants it, at once */
+  function settle(view) {
+    chosen = true;
+    goal = view;
+    Object.assign(pen.view, view);
+    schedule();
+  }
+
+  /** @param {number} factor */
+  function zoomMiddle(factor) {
+    if (goal) settle(zoomed(pen.view, factor, width / 2, height / 2, fitted().scale * FARTHEST, fitted().scale * NEAREST));
+  }
+
+  function schedule() {
+    if (drawing) return;
+    drawing = true;
+    requestAnimationFrame(() => {
+      drawing = false;
+      draw();
+    });
+  }
+
+  function tellPointer() {
+    if (!pointer || !scene) {
+      coordinates.textContent = "";
+      return;
+    }
+    const { x, y } = pointer;
+    const { sense } = scene.report.mechanism;
+    const around = 90 - (Math.atan2(y, x) * 180) / Math.PI;
+    // The cam angle at which this place of the cam stands upright.
+    const place = (((sense * around + store.state.cursor) % 360) + 360) % 360;
+    const digits = Math.max(0, Math.ceil(Math.log10(pen.view.scale)));
+    const length = (/** @type {number} */ value) => format.number(value, { digits });
+    coordinates.textContent = t("stage.pointer", {
+      x: length(x), y: length(y), r: length(Math.hypot(x, y)), angle: format.angle(place), unit: scene.report.units.length,
+    });
+  }
+
+  /** Names and the text alternative. */
+  function word() {
+    keys.textContent = t("stage.keys");
+    buttons.out.setAttribute("aria-label", t("stage.zoomOut"));
+    buttons.in.setAttribute("aria-label", t("stage.zoomIn"));
+    buttons.fit.textContent = t("stage.fit");
+    buttons.fit.parentElement?.setAttribute("aria-label", t("stage.window"));
+    root.setAttribute("aria-label", t("stage.title"));
+    if (!scene) return;
+    const { mechanism, units } = scene.report;
+    const length = (/** @type {number} */ value) => format.quantity(value, { trim: true, unit: units.length });
+    canvas.setAttribute(
+      "aria-label",
+      t("stage.alternative", {
+        follower: t(`stage.follower.${mechanism.motion}-${mechanism.contact}`),
+        base: length(mechanism.base_radius),
+        reach: length(mechanism.reach),
+        sense: t(mechanism.sense > 0 ? "stage.counterclockwise" : "stage.clockwise"),
+      }),
+    );
+  }
+}
+
+/**
+ * The menu of layers: a box and a sample of the line for each.
+ * @param {Context} context
+ */
+function layersMenu({ store, t }) {
+  const title = h("summary");
+  const items = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS)).map((layer) => {
+    const box = h("input", { type: "checkbox", onchange: () => store.set({ layers: { ...store.state.layers, [layer]: box.checked } }) });
+    const sample = s("svg", { class: `stage-sample stage-sample-${layer}`, viewBox: "0 0 28 8", "aria-hidden": "true" }, s("path", { d: "M1 4H27" }));
+    const name = h("span");
+    return { layer, box, name, row: h("label", {}, box, sample, name) };
+  });
+  const root = h("details", { class: "stage-layers" }, title, h("div", { class: "stage-layers-list" }, ...items.map(({ row }) => row)));
+  root.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape" || !root.open) return;
+    root.open = false;
+    title.focus();
+    event.stopPropagation();
+  });
+  document.addEventListener("pointerdown", (event) => {
+    if (root.open && !root.contains(/** @type {Node} */ (event.target))) root.open = false;
+  });
+
+  return {
+    root,
+    update() {
+      title.textContent = t("stage.layers");
+      for (const { layer, box, name, row } of items) {
+        name.textContent = t(`stage.layer.${layer}`);
+        box.checked = store.state.layers[layer] ?? LAYERS[layer];
+        row.hidden = !applies(layer, store.state.report);
+      }
+    },
+  };
+}

@@ -1,0 +1,120 @@
+/**
+ * The instant values: what every quantity is at the cursor, in figures that do not jump about.
+ *
+ * @import { Context, Report, State } from "./types.d.ts"
+ */
+import { h } from "./dom.js";
+import { AT, instant } from "./stage/instant.js";
+import { metered } from "./stage/meter.js";
+
+/** While the cam turns, figures change no more often than this, in ms: faster than an eye reads, slower than a frame. */
+const READABLE = 80;
+const SIGNIFICANT = 4;
+const MOST_DIGITS = 9;
+
+/**
+ * @typedef {object} Reading
+ * @property {string} name           key of its strings
+ * @property {string} letter
+ * @property {string} timed          letter per second
+ * @property {number} place
+ * @property {number} placeTimed
+ * @property {string} token          of its colour
+ * @property {(report: Report) => number} size  largest value of the turn, per radian
+ * @property {number} order          of its derivative
+ * @property {(report: Report, perSecond: boolean) => string} unit
+ */
+
+/** @type {(key: "s" | "v" | "a" | "j" | "rho" | "contact") => (report: Report) => number} */
+const largest = (key) => (report) => {
+  const range = report.summary[key];
+  return Math.max(Math.abs(range?.min ?? 0), Math.abs(range?.max ?? 0));
+};
+
+/** @type {(key: "s" | "v" | "a" | "j", letter: "s" | "V" | "A" | "J", place: number, timed: number) => Reading} */
+const motion = (key, letter, place, timed) => ({
+  name: key, letter: key, timed: letter, place, placeTimed: timed, token: key, size: largest(key), order: "svaj".indexOf(key),
+  unit: ({ units }, perSecond) => units[perSecond ? letter : key],
+});
+
+/** @type {readonly Reading[]} */
+const READINGS = [
+  { name: "theta", letter: "θ", timed: "θ", place: -1, placeTimed: -1, token: "ink", size: () => 360, order: 0, unit: () => "°" },
+  { name: "t", letter: "t", timed: "t", place: AT.t, placeTimed: AT.t, token: "ink", size: ({ period }) => period, order: 0, unit: () => "s" },
+  motion("s", "s", AT.s, AT.s),
+  motion("v", "V", AT.v, AT.V),
+  motion("a", "A", AT.a, AT.A),
+  motion("j", "J", AT.j, AT.J),
+  { name: "pressure_angle", letter: "φ", timed: "φ", place: AT.pressureAngle, placeTimed: AT.pressureAngle, token: "phi", size: () => 90, order: 0, unit: () => "°" },
+  // A radius of curvature goes to infinity: its decimals follow the cam's size, not its own.
+  { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => units.length },
+  { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "ink", size: largest("contact"), order: 0, unit: ({ units }) => units.length },
+  { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => `${units.length}/rad` },
+];
+
+/**
+ * @param {HTMLElement} root
+ * @param {Context} context
+ */
+export function mount(root, context) {
+  const { store, t, format } = context;
+  const cells = READINGS.map((reading) => {
+    const id = `readout-${reading.name}`;
+    const letter = h("i", { class: "symbol" });
+    const name = h("span", { class: "unseen" });
+    const unit = h("span", { class: "readout-unit" });
+    const output = h("output", { id, "aria-live": "off" });
+    const label = h("label", { for: id }, letter, name);
+    return { reading, letter, name, unit, output, label, element: h("div", { class: `readout readout-${reading.token}` }, label, output, unit), digits: 0 };
+  });
+  root.append(h("div", { class: "readout-grid" }, ...cells.map(({ element }) => element)));
+
+  let shownAt = -Infinity;
+  const show = metered(() => {
+    const now = performance.now();
+    if (store.state.playing && now - shownAt < READABLE) return;
+    shownAt = now;
+    const at = instant(context);
+    const { perSecond, cursor } = store.state;
+    for (const { reading, output, digits, element } of cells) {
+      if (element.hidden) continue;
+      const place = perSecond ? reading.placeTimed : reading.place;
+      const text = format.number(place < 0 ? cursor : at[place], { digits });
+      if (output.value !== text) output.value = text;
+    }
+  });
+
+  store.subscribe(["report", "perSecond", "language"], lay);
+  store.subscribe(["cursor", "playing", "report", "perSecond", "language"], (_, changed) => {
+    if (changed.size !== 1 || !changed.has("cursor")) shownAt = -Infinity;
+    show();
+  });
+  store.subscribe(["stale", "error"], ({ stale }) => root.toggleAttribute("data-stale", stale));
+  if (/** @type {State["report"] | undefined} */ (store.state.report)) {
+    lay();
+    show();
+  }
+
+  /** Letters, units, and as many decimals as give the largest value of the turn four figures. */
+  function lay() {
+    const { report, perSecond } = store.state;
+    root.setAttribute("aria-label", t("readout.title"));
+    for (const cell of cells) {
+      const { reading } = cell;
+      const size = reading.size(report) * (perSecond ? report.omega ** reading.order : 1);
+      cell.digits = reading.unit(report, perSecond) === "°" ? 1 : decimals(size);
+      cell.letter.textContent = perSecond ? reading.timed : reading.letter;
+      cell.name.textContent = ` ${t(`readout.${reading.name}`)}`;
+      cell.element.title = t(`readout.${reading.name}`);
+      cell.unit.textContent = reading.unit(report, perSecond);
+      cell.output.style.minWidth = `${format.number(-size, { digits: cell.digits }).length}ch`;
+      cell.element.hidden = reading.name === "contact" && !report.summary.contact;
+    }
+  }
+}
+
+/** @param {number} size */
+function decimals(size) {
+  if (!(size > 0)) return 1;
+  return Math.min(Math.max(SIGNIFICANT - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
+}

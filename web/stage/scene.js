@@ -1,0 +1,261 @@
+/**
+ * The whole picture of the mechanism, back to front. What depends on the design alone is built once; a frame only places it.
+ *
+ * @import { Format, Highlight, Lab, Report, State } from "../types.d.ts"
+ * @import { Cam } from "./cam-part.js"
+ * @import { Follower, Pose } from "./follower-part.js"
+ * @import { Stations } from "./stations.js"
+ * @import { Pen } from "./pen.js"
+ */
+import { between, buildCam, drawCam, stretch } from "./cam-part.js";
+import { dimension, drawDimension } from "./dimensions.js";
+import { buildFollower } from "./follower-part.js";
+import { AT } from "./instant.js";
+import { LAYERS, applies, drawAxes, drawBase, drawNormal, drawOsculating, drawPrime } from "./layers.js";
+import { buildStations, drawStations } from "./stations.js";
+import { roundLength } from "./view.js";
+
+/** Coils of the spring. */
+const COILS = 7;
+/** Longest scale bar, CSS pixels. */
+const SCALE_BAR = 110;
+/** A jump of the cursor over more than this is taken for the passage of 360°, not for a move. */
+const PASSAGE = 180;
+
+export class Scene {
+  /** @type {Report} */
+  report;
+  /** @type {Cam} */
+  cam;
+  /** @type {Follower} */
+  follower;
+  /** @type {Stations | null} */
+  #stations = null;
+  /** @type {Pose} */
+  #pose = { x: 0, y: 0, angle: 0, mirror: 1 };
+  /** @type {{ highlight: Highlight | null, path: Path2D | null }} */
+  #lit = { highlight: null, path: null };
+  #turns = 0;
+  #theta = 0;
+
+  /**
+   * @param {Report} report
+   * @param {Lab} lab
+   * @param {Scene | null} before  the scene that this one takes the place of
+   */
+  constructor(report, lab, before) {
+    this.report = report;
+    this.lab = lab;
+    this.cam = buildCam(report, lab);
+    this.follower = buildFollower(report, lab);
+    this.#turns = before?.#turns ?? 0;
+    this.#theta = before?.#theta ?? 0;
+  }
+
+  /** @param {number} theta */
+  camAngle(theta) {
+    return (this.report.mechanism.sense * theta * Math.PI) / 180;
+  }
+
+  /**
+   * @param {Pen} pen
+   * @param {Readonly<State>} state
+   * @param {Float64Array} at
+   * @param {Format} format
+   * @param {number} width
+   * @param {number} height
+   */
+  draw(pen, state, at, format, width, height) {
+    const { context } = pen;
+    const { report } = this;
+    const angle = this.camAngle(state.cursor);
+    this.follower.place(at, this.#pose);
+
+    pen.screen();
+    context.clearRect(0, 0, width, height);
+    this.#drawGround(pen);
+    pen.screen();
+    if (shown(state, "axes", report)) drawAxes(pen, report);
+    this.#drawBody(pen);
+    drawCam(pen, this.cam, angle, 1.1 * pen.palette.stroke);
+    this.#drawLit(pen, state, angle);
+    if (shown(state, "pitch", report) && this.cam.pitch) {
+      pen.world(0, 0, angle);
+      pen.line(pen.palette.pitch, 1.25, "pitch");
+      context.stroke(this.cam.pitch);
+    }
+    pen.screen();
+    if (shown(state, "base", report)) drawBase(pen, report);
+    if (shown(state, "prime", report)) drawPrime(pen, report);
+    if (shown(state, "stations", report)) drawStations(pen, (this.#stations ??= buildStations(report, this.lab)), angle);
+    this.#drawRoller(pen, state.cursor);
+    pen.screen();
+    if (shown(state, "osculating", report)) drawOsculating(pen, at);
+    if (shown(state, "normal", report)) drawNormal(pen, report, at, `φ = ${format.angle(at[AT.pressureAngle])}`);
+    pen.dot(/** @type {number} */ (at[AT.contactX]), /** @type {number} */ (at[AT.contactY]), 4, pen.palette.ink);
+    this.#drawParameter(pen, state, at, format);
+    drawScale(pen, report, format, height);
+  }
+
+  /** @param {Pen} pen */
+  #drawGround(pen) {
+    const { context, palette } = pen;
+    pen.world();
+    pen.line(palette.line, 0.75);
+    context.stroke(this.follower.hatching);
+    pen.line(palette.ink, 1);
+    for (const piece of this.follower.ground) context.stroke(piece);
+  }
+
+  /** @param {Pen} pen */
+  #drawBody(pen) {
+    const { palette, context } = pen;
+    const { x, y, angle, mirror } = this.#pose;
+    pen.world(x, y, angle, mirror);
+    pen.part(this.follower.body, palette.steel, palette.camEdge, 1);
+    context.fillStyle = palette.paper;
+    pen.line(palette.camEdge, 1);
+    for (const joint of this.follower.joints) {
+      context.fill(joint);
+      context.stroke(joint);
+    }
+    if (this.follower.spring) this.#drawSpring(pen, this.follower.spring);
+  }
+
+  /**
+   * @param {Pen} pen
+   * @param {NonNullable<Follower["spring"]>} spring
+   */
+  #drawSpring(pen, spring) {
+    const { context } = pen;
+    const foot = this.#pose.y + spring.foot;
+    pen.screen();
+    const left = pen.x(spring.x - spring.half);
+    const right = pen.x(spring.x + spring.half);
+    const bottom = pen.y(foot);
+    const rise = pen.y(spring.seat) - bottom;
+    context.beginPath();
+    context.moveTo(right, bottom);
+    for (let i = 1; i <= 2 * COILS; i++) context.lineTo(i % 2 ? left : right, bottom + (rise * i) / (2 * COILS));
+    context.lineJoin = "round";
+    pen.line(pen.palette.steel, 3.5);
+    context.stroke();
+    pen.line(pen.palette.camEdge, 1.5);
+    context.stroke();
+  }
+
+  /**
+   * @param {Pen} pen
+   * @param {number} theta
+   */
+  #drawRoller(pen, theta) {
+    const { roller } = this.follower;
+    const { rolled } = this.cam;
+    if (!(roller > 0) || !rolled) return;
+    const moved = theta - this.#theta;
+    if (Math.abs(moved) > PASSAGE) this.#turns -= Math.sign(moved);
+    this.#theta = theta;
+    const spin = between(rolled, theta) + this.#turns * /** @type {number} */ (rolled.at(-1));
+    const { context, palette } = pen;
+    const along = this.report.mechanism.arm ?? 0;
+    const { x, y, angle } = this.#pose;
+    pen.world(x + along * Math.cos(angle), y + along * Math.sin(angle), spin);
+    context.beginPath();
+    context.arc(0, 0, roller, 0, 2 * Math.PI);
+    context.fillStyle = palette.panel;
+    context.fill();
+    pen.line(palette.camEdge, palette.stroke);
+    context.stroke();
+    context.beginPath();
+    for (let i = 0; i < 3; i++) {
+      context.moveTo(0, 0);
+      context.lineTo(0.86 * roller * Math.cos((2 * Math.PI * i) / 3), 0.86 * roller * Math.sin((2 * Math.PI * i) / 3));
+    }
+    pen.line(palette.line, 1.25);
+    context.stroke();
+    context.beginPath();
+    context.arc(0, 0, 0.2 * roller, 0, 2 * Math.PI);
+    context.fillStyle = palette.camEdge;
+    context.fill();
+  }
+
+  /**
+   * What the pointer is on elsewhere: an angle, a stretch, a segment.
+   * @param {Pen} pen
+   * @param {Readonly<State>} state
+   * @param {number} angle
+   */
+  #drawLit(pen, { highlight }, angle) {
+    if (highlight !== this.#lit.highlight) this.#lit = { highlight, path: this.#litPath(highlight) };
+    const { context, palette } = pen;
+    if (this.#lit.path) {
+      pen.world(0, 0, angle);
+      context.lineCap = "round";
+      pen.line(palette.accent, 5);
+      context.stroke(this.#lit.path);
+      context.lineCap = "butt";
+    }
+    if (highlight?.theta === undefined) return;
+    const theta = highlight.theta % 360;
+    const [x, y] = [between(this.cam.x, theta), between(this.cam.y, theta)];
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    pen.screen();
+    pen.dot(x * c - y * s, x * s + y * c, 6, palette.accent);
+  }
+
+  /** @param {Highlight | null} highlight */
+  #litPath(highlight) {
+    if (highlight?.interval) return stretch(this.cam, ...highlight.interval);
+    const from = highlight?.segment === undefined ? undefined : this.report.borders[highlight.segment];
+    const to = highlight?.segment === undefined ? undefined : this.report.borders[highlight.segment + 1];
+    return from === undefined || to === undefined ? null : stretch(this.cam, from, to);
+  }
+
+  /**
+   * @param {Pen} pen
+   * @param {Readonly<State>} state
+   * @param {Float64Array} at
+   * @param {Format} format
+   */
+  #drawParameter(pen, state, at, format) {
+    const path = state.highlight?.parameter;
+    const drawn = path && dimension(path, this.report, at);
+    if (!drawn) return;
+    const key = path.slice(path.lastIndexOf(".") + 1);
+    const value = key === "base_radius" ? state.design.cam.base_radius : state.design.follower[key];
+    const text = typeof value !== "number" ? "" : drawn.about ? format.angle(value) : format.quantity(value, { trim: true, unit: this.report.units.length });
+    pen.screen();
+    drawDimension(pen, drawn, text);
+  }
+}
+
+/**
+ * @param {Readonly<State>} state
+ * @param {keyof typeof LAYERS} layer
+ * @param {Report} report
+ */
+const shown = (state, layer, report) => (state.layers[layer] ?? LAYERS[layer]) && applies(layer, report);
+
+/**
+ * @param {Pen} pen
+ * @param {Report} report
+ * @param {Format} format
+ * @param {number} height
+ */
+function drawScale(pen, report, format, height) {
+  const { context, palette } = pen;
+  const length = roundLength(SCALE_BAR / pen.view.scale);
+  const width = length * pen.view.scale;
+  const y = height - 8;
+  context.beginPath();
+  context.moveTo(10, y - 5);
+  context.lineTo(10, y);
+  context.lineTo(10 + width, y);
+  context.lineTo(10 + width, y - 5);
+  pen.line(palette.muted, 1);
+  context.stroke();
+  context.font = `${palette.size * 0.85}px ${palette.font}`;
+  context.textAlign = "left";
+  context.textBaseline = "alphabetic";
+  pen.text(format.number(length, { unit: report.units.length }), 14, y - 5, palette.muted);
+}

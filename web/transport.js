@@ -1,0 +1,192 @@
+/**
+ * The transport: play, direction, steps, the angle and its scrubber, the hand wheel for the speed.
+ *
+ * @import { Context, State } from "./types.d.ts"
+ */
+import { h } from "./dom.js";
+import { parseNumber } from "./numbers.js";
+import { WHEEL, positionOf, rateAt, stepped, stride, turned, wrap } from "./stage/clock.js";
+import { closeFrame, metered } from "./stage/meter.js";
+
+/** Turns per second when nothing else is known. */
+const CALM = 0.25;
+
+/**
+ * @param {HTMLElement} root
+ * @param {Context} context
+ */
+export function mount(root, { store, t, format }) {
+  const play = h("button", { type: "button", class: "transport-play", onclick: toggle });
+  const reverse = h("button", { type: "button", class: "transport-reverse", onclick: () => turnAt(-(store.state.rate || lastRate)) }, "⇄");
+  const back = h("button", { type: "button", class: "transport-step", onclick: (/** @type {MouseEvent} */ event) => step(-stride(event)) });
+  const forth = h("button", { type: "button", class: "transport-step", onclick: (/** @type {MouseEvent} */ event) => step(stride(event)) });
+  const scrub = h("input", { type: "range", id: "transport-scrub", class: "transport-scrub", min: "0", max: "360", step: "0.1" });
+  const ticks = h("div", { class: "transport-ticks", "aria-hidden": "true" });
+  const angle = h("input", { type: "text", id: "transport-angle", class: "transport-angle", inputmode: "decimal", autocomplete: "off", spellcheck: "false" });
+  const angleLabel = h("label", { for: "transport-angle", class: "transport-theta" });
+  const wheel = h("input", { type: "range", id: "transport-wheel", class: "transport-wheel", min: String(-WHEEL), max: String(WHEEL), step: "1" });
+  const wheelLabel = h("label", { for: "transport-wheel", class: "transport-speed" });
+  const pace = h("output", { for: "transport-wheel", class: "transport-pace", "aria-live": "off" });
+  root.append(
+    h("div", { class: "transport-row" }, play, back, forth, h("div", { class: "transport-track" }, scrub, ticks), h("span", { class: "transport-field" }, angleLabel, angle)),
+    h("div", { class: "transport-row" }, reverse, wheelLabel, h("span", { class: "transport-wheel-track" }, wheel), pace),
+  );
+
+  let lastRate = CALM;
+  let before = NaN;
+  let running = false;
+  /** One object for every frame: the animation allocates nothing. */
+  const patch = { cursor: 0 };
+
+  const advance = metered((/** @type {number} */ now) => {
+    if (!Number.isNaN(before)) {
+      patch.cursor = turned(store.state.cursor, store.state.rate, (now - before) / 1000);
+      store.set(patch);
+    }
+    before = now;
+  });
+
+  /** @param {number} now */
+  function tick(now) {
+    closeFrame();
+    if (!moves()) {
+      running = false;
+      return;
+    }
+    advance(now);
+    requestAnimationFrame(tick);
+  }
+
+  const moves = () => store.state.playing && store.state.rate !== 0 && !document.hidden;
+
+  function run() {
+    if (running || !moves()) return;
+    running = true;
+    before = NaN;
+    requestAnimationFrame(tick);
+  }
+
+  document.addEventListener("visibilitychange", run);
+  if (matchMedia("(prefers-reduced-motion: reduce)").matches) store.set({ playing: false });
+
+  function toggle() {
+    const { playing, rate } = store.state;
+    store.set({ playing: !playing, rate: rate || lastRate });
+  }
+
+  /** @param {number} rate */
+  function turnAt(rate) {
+    if (rate !== 0) lastRate = rate;
+    store.set({ rate, playing: rate !== 0 });
+  }
+
+  /** @param {number} degrees */
+  function step(degrees) {
+    store.set({ cursor: stepped(store.state.cursor, degrees), playing: false });
+  }
+
+  scrub.addEventListener("input", () => store.set({ cursor: wrap(Number(scrub.value)), playing: false }));
+  scrub.addEventListener("keydown", (event) => {
+    const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    if (by === undefined || event.ctrlKey || event.metaKey) return;
+    step(by * stride(event));
+    event.preventDefault();
+  });
+  wheel.addEventListener("input", () => turnAt(rateAt(Number(wheel.value))));
+  wheel.addEventListener("dblclick", () => turnAt(0));
+
+  angle.addEventListener("focus", () => {
+    store.set({ playing: false });
+    angle.select();
+  });
+  angle.addEventListener("change", () => {
+    const { value } = parseNumber(angle.value, "°");
+    if (value !== undefined) store.set({ cursor: wrap(value), playing: false });
+    showAngle(true);
+  });
+  angle.addEventListener("keydown", (event) => {
+    const by = { ArrowDown: -1, ArrowUp: 1 }[event.key];
+    if (event.key === "Escape") showAngle(true);
+    else if (by !== undefined) {
+      step(by * stride(event));
+      showAngle(true);
+    } else return;
+    event.preventDefault();
+  });
+
+  /** @param {boolean} [always]  also while the field is being typed in */
+  function showAngle(always = false) {
+    if (!always && document.activeElement === angle) return;
+    angle.value = format.angle(store.state.cursor);
+  }
+
+  const show = metered(() => {
+    const { cursor } = store.state;
+    scrub.value = String(cursor);
+    showAngle();
+    if (!store.state.playing) scrub.setAttribute("aria-valuetext", format.angle(cursor));
+  });
+
+  store.subscribe(["cursor", "language"], show);
+  store.subscribe(["playing", "language"], ({ playing }) => {
+    play.textContent = t(playing ? "transport.pause" : "transport.play");
+    play.dataset["state"] = playing ? "playing" : "paused";
+    run();
+  });
+  store.subscribe(["rate", "language", "report"], showPace);
+  store.subscribe(["report"], showTicks);
+  store.subscribe(["highlight"], lightTicks);
+  store.subscribe(["language"], word);
+  word();
+  play.textContent = t(store.state.playing ? "transport.pause" : "transport.play");
+  play.dataset["state"] = store.state.playing ? "playing" : "paused";
+  if (/** @type {State["report"] | undefined} */ (store.state.report)) {
+    showPace();
+    showTicks();
+    show();
+  }
+  run();
+
+  function showPace() {
+    const { rate, report } = store.state;
+    if (Number(wheel.value) === 0 || rateAt(Number(wheel.value)) !== rate) wheel.value = String(positionOf(rate));
+    if (rate !== 0) lastRate = rate;
+    const real = format.quantity(report.period, { trim: true, unit: "s" });
+    const shown = rate === 0 ? t("transport.stopped", { real }) : t("transport.pace", { shown: format.quantity(1 / Math.abs(rate), { trim: true, unit: "s" }), real });
+    pace.textContent = shown;
+    wheel.setAttribute("aria-valuetext", rate < 0 ? `${shown}, ${t("transport.backwards")}` : shown);
+    reverse.setAttribute("aria-pressed", String(rate < 0));
+  }
+
+  function showTicks() {
+    const { borders } = store.state.report;
+    ticks.replaceChildren(
+      ...borders.slice(1).map((to, i) => {
+        const from = borders[i] ?? 0;
+        const bar = h("span", { class: "transport-stretch" });
+        bar.style.left = `${from / 3.6}%`;
+        bar.style.width = `${(to - from) / 3.6}%`;
+        return bar;
+      }),
+    );
+    lightTicks();
+  }
+
+  function lightTicks() {
+    const lit = store.state.highlight?.segment;
+    [...ticks.children].forEach((bar, i) => bar.toggleAttribute("data-lit", i === lit));
+  }
+
+  function word() {
+    root.setAttribute("aria-label", t("transport.title"));
+    back.textContent = "−1°";
+    forth.textContent = "+1°";
+    back.setAttribute("aria-label", t("transport.back"));
+    forth.setAttribute("aria-label", t("transport.forth"));
+    reverse.setAttribute("aria-label", t("transport.reverse"));
+    reverse.title = t("transport.reverse");
+    scrub.setAttribute("aria-label", t("transport.scrub"));
+    angleLabel.replaceChildren(h("i", { class: "symbol" }, "θ"), h("span", { class: "unseen" }, ` ${t("transport.angle")}`));
+    wheelLabel.textContent = t("transport.speed");
+  }
+}
