@@ -1,7 +1,7 @@
 /**
  * The page's only state, its undo history and the one animation frame in which everything is redrawn.
  *
- * @import { Design, Opened, State, Store, ViewState } from "./types.d.ts"
+ * @import { Design, Keeper, State, Store, ViewState, Wiring } from "./types.d.ts"
  */
 
 /** Undo steps that are kept: a whole lesson, in some hundred kilobytes. */
@@ -21,7 +21,7 @@ function initialView() {
     rate: 0.25,
     perSecond: false,
     tab: "svaj",
-    layers: { base: true, prime: true, pitch: true, axes: true, normal: true, osculating: false },
+    layers: { base: true, prime: true, pitch: true, axes: true, normal: true, osculating: false, stations: false },
     language: "en",
     theme: "system",
     projector: false,
@@ -30,30 +30,10 @@ function initialView() {
 }
 
 /**
- * @typedef {object} Wiring
- * @property {(design: Design) => Opened} analyse  gives the report of a design, or what is wrong with it
- * @property {(error: unknown) => void} [failed]   told when a listener throws
- * @property {(draw: () => void) => void} [frame]  requestAnimationFrame, or another in tests
- */
-
-/**
  * @typedef {object} Entry
  * @property {string} label
  * @property {Design} design
  * @property {string | undefined} gesture
- */
-
-/**
- * What the shell of the page does with the store beyond what every module may.
- * @typedef {object} Keeper
- * @property {(wiring: Wiring) => void} connect
- * @property {(design: Design) => boolean} start  opens the first design of all, without an undo step; false when it is no good
- * @property {() => void} reanalyse               the same design again: after a change of language, or on a fresh engine
- * @property {(key: keyof State) => void} touch   tells the listeners of `key` though its value is the same
- * @property {() => void} endGesture              the next edit makes its own undo step, whatever its gesture
- * @property {() => string} undoLabel
- * @property {() => string} redoLabel
- * @property {() => void} drawNow                 draws what is pending at once
  */
 
 /** @returns {Store & Keeper} */
@@ -62,6 +42,8 @@ export function createStore() {
   let wiring = null;
   /** @type {State} */
   const state = Object.assign(/** @type {State} */ ({ error: null, stale: false }), initialView());
+  /** @type {Design | null} */
+  let good = null;
   /** @type {{ keys: string[], fn: (state: Readonly<State>, changed: ReadonlySet<string>) => void }[]} */
   const listeners = [];
   /** @type {Entry[]} */
@@ -122,6 +104,7 @@ export function createStore() {
     const opened = wiring ? wiring.analyse(design) : undefined;
     if (opened?.report) {
       state.report = opened.report;
+      good = design;
       changed.add("report");
     }
     const error = opened?.error ?? null;
@@ -209,6 +192,13 @@ export function createStore() {
       adopt(draft);
     },
 
+    cancel(gesture) {
+      const last = past.at(-1);
+      if (!last || last.gesture !== gesture) return;
+      past.pop();
+      adopt(last.design);
+    },
+
     endGesture() {
       const last = past.at(-1);
       if (last) last.gesture = undefined;
@@ -223,6 +213,7 @@ export function createStore() {
     redo: () => travel(future, past),
     canUndo: () => past.length > 0,
     canRedo: () => future.length > 0,
+    lastGood: () => good ?? state.design,
     undoLabel: () => past.at(-1)?.label ?? "",
     redoLabel: () => future.at(-1)?.label ?? "",
 

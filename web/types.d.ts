@@ -220,6 +220,10 @@ export interface Store {
   set(patch: Partial<ViewState>): void;
   /** Changes the design: analyses, remembers for undo (one entry a gesture), schedules a frame. */
   edit(label: string, fn: (draft: Design) => void, options?: { gesture?: string }): void;
+  /** Takes back a gesture that is under way, as if it had never begun. */
+  cancel(gesture: string): void;
+  /** The gesture is over: the next edit makes its own undo step. */
+  endGesture(): void;
   undo(): void;
   redo(): void;
   canUndo(): boolean;
@@ -246,4 +250,44 @@ export interface Context {
   lab: () => Lab;
   t: Translate;
   format: Format;
+}
+
+/** What a module of the shell is mounted with besides. */
+export interface ShellContext extends Context {
+  store: Store & Keeper;
+  catalogue: Catalogue;
+  /** Says a sentence to screen readers, politely. */
+  announce: (sentence: string) => void;
+  banner: Banner;
+}
+
+export interface Banner {
+  show(key: string, values?: Record<string, string>, raw?: string): void;
+  hide(): void;
+}
+
+/** What the shell does with the store beyond what every module may. */
+export interface Keeper {
+  connect(wiring: Wiring): void;
+  /** Opens the first design of all, without an undo step; false when it is no good. */
+  start(design: Design): boolean;
+  /** The same design again: after a change of language, or on a fresh engine. */
+  reanalyse(): void;
+  /** Tells the listeners of `key` though its value is the same. */
+  touch(key: keyof State): void;
+  /** The design that `state.report` is about. */
+  lastGood(): Design;
+  undoLabel(): string;
+  redoLabel(): string;
+  /** Draws what is pending at once. */
+  drawNow(): void;
+}
+
+export interface Wiring {
+  /** Gives the report of a design, or what is wrong with it. */
+  analyse: (design: Design) => Opened;
+  /** Told when a listener throws. */
+  failed?: (error: unknown) => void;
+  /** requestAnimationFrame, or another in tests. */
+  frame?: (draw: () => void) => void;
 }

@@ -1,0 +1,139 @@
+/**
+ * The calculation: WebAssembly loaded once, and started again from the kept module should it ever panic.
+ *
+ * @import { Catalogue, Design, Lab, Language, Opened, Read } from "./types.d.ts"
+ */
+
+/** Stations of a turn that are drawn. */
+const SAMPLES = 720;
+
+/** Restarts within `RESTART_WINDOW` milliseconds before giving up. */
+const RESTARTS = 3;
+const RESTART_WINDOW = 10_000;
+
+/**
+ * What the generated module offers.
+ * @typedef {object} Module
+ * @property {(options: { module_or_path: WebAssembly.Module }) => Promise<unknown>} default
+ * @property {new () => Lab} Lab
+ * @property {() => Catalogue} catalogue
+ * @property {(fragment: string, language: Language) => Read} open_link
+ * @property {(text: string, language: Language) => Read} open_file
+ * @property {(design: Design) => string} save_file
+ */
+
+/** @returns {Promise<WebAssembly.Module>} */
+async function compile() {
+  const url = new URL("./pkg/levalab_wasm_bg.wasm", import.meta.url);
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/**
+ * @param {object} options
+ * @param {() => Language} options.language
+ * @param {(hopeless: boolean) => void} options.restarted  told after a panic, when the engine works again or never will
+ */
+export async function startEngine({ language, restarted }) {
+  const compiled = await compile();
+  let generation = 0;
+  /** @type {number[]} */
+  let panics = [];
+  /** @type {Design | null} */
+  let good = null;
+  let restarting = false;
+  /** @type {Module} */
+  let module;
+  /** @type {Lab} */
+  let lab;
+
+  /** A fresh copy of the glue holds a fresh instance: a panicked one cannot be trusted. */
+  async function instantiate() {
+    const url = new URL("./pkg/levalab_wasm.js", import.meta.url);
+    if (generation > 0) url.search = `?restart=${generation}`;
+    generation += 1;
+    /** @type {Module} */
+    const fresh = await import(url.href);
+    await fresh.default({ module_or_path: compiled });
+    module = fresh;
+    lab = new fresh.Lab();
+  }
+
+  async function restart() {
+    if (restarting) return;
+    restarting = true;
+    const now = performance.now();
+    panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
+    if (panics.length > RESTARTS) return restarted(true);
+    await instantiate();
+    if (good) lab.open(good, SAMPLES, language());
+    restarting = false;
+    restarted(false);
+  }
+
+  /**
+   * @template Result
+   * @param {() => Result} call
+   * @param {Result} otherwise
+   */
+  function guarded(call, otherwise) {
+    if (restarting) return otherwise;
+    try {
+      return call();
+    } catch (error) {
+      if (!failed(error)) throw error;
+      return otherwise;
+    }
+  }
+
+  /**
+   * Takes care of an error when it is a panic.
+   * @param {unknown} error
+   */
+  function failed(error) {
+    if (!(error instanceof WebAssembly.RuntimeError)) return restarting;
+    console.error(error);
+    void restart();
+    return true;
+  }
+
+  await instantiate();
+
+  return {
+    lab: () => lab,
+    failed,
+    catalogue: () => module.catalogue(),
+
+    /**
+     * @param {Design} design
+     * @param {string} panicked  what to say when the calculation fails
+     * @returns {Opened}
+     */
+    analyse(design, panicked) {
+      const opened = guarded(() => lab.open(design, SAMPLES, language()), { error: { path: "", message: panicked } });
+      if (opened.report) good = design;
+      return opened;
+    },
+
+    /** @param {string} fragment */
+    openLink: (fragment) => guarded(() => module.open_link(fragment, language()), unread(fragment)),
+
+    /** @param {string} text */
+    openFile: (text) => guarded(() => module.open_file(text, language()), unread("")),
+
+    /** @param {Design} design */
+    saveFile: (design) => guarded(() => module.save_file(design), JSON.stringify(design, null, 2)),
+  };
+}
+
+/** @typedef {Awaited<ReturnType<typeof startEngine>>} Engine */
+
+/**
+ * @param {string} message
+ * @returns {Read}
+ */
+function unread(message) {
+  return { error: { path: "", message } };
+}

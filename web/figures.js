@@ -1,0 +1,55 @@
+/**
+ * The key figures of the cam in one line: pressure angle with its limit, smallest radius of curvature, lift, face length.
+ *
+ * @import { Range, ShellContext } from "./types.d.ts"
+ */
+import { h } from "./dom.js";
+
+/** Largest pressure angle that is tolerated, in degrees, by the follower's motion. */
+/** @type {Record<string, number>} */
+const PRESSURE_ANGLE_LIMIT = { translating: 30, oscillating: 35 };
+
+/** @param {ShellContext} context */
+export function createFigures({ store, t, format }) {
+  const root = h("div", { class: "figures", role: "group" });
+
+  /** @param {number | null | undefined} value */
+  const angle = (value) => format.angle(value);
+
+  function entries() {
+    const { summary, mechanism, units } = store.state.report;
+    const { pressure_angle: phi, s: lift, rho, contact } = summary;
+    /** @type {[string, string, number | undefined][]} */
+    const list = [];
+    const limit = PRESSURE_ANGLE_LIMIT[mechanism.motion] ?? 30;
+    if (phi && mechanism.contact !== "flat") {
+      list.push(["phi", t("verdict.figure.phi", { min: angle(phi.min), max: angle(phi.max), limit: format.number(limit, { unit: "°" }) }), steepest(phi)]);
+    }
+    if (rho) list.push(["rho", t("verdict.figure.rho", { value: format.quantity(rho.min, { trim: true, unit: units.length }) }), rho.min_at]);
+    if (lift) list.push(["s", t("verdict.figure.lift", { value: format.quantity(lift.max, { trim: true, unit: units.s }) }), lift.max_at]);
+    if (contact && mechanism.contact === "flat" && contact.max !== null && contact.min !== null) {
+      list.push(["face", t("verdict.figure.face", { value: format.quantity(contact.max - contact.min, { trim: true, unit: units.length }) }), contact.max_at]);
+    }
+    return list;
+  }
+
+  return {
+    root,
+
+    update() {
+      root.setAttribute("aria-label", t("verdict.figures"));
+      root.replaceChildren(
+        ...entries().map(([kind, text, theta]) => {
+          const button = h("button", { type: "button", class: `figure ${kind}` }, text);
+          button.addEventListener("click", () => theta !== undefined && store.set({ cursor: theta % 360, playing: false }));
+          return button;
+        }),
+      );
+    },
+  };
+}
+
+/** @param {Range} range */
+function steepest({ min, min_at, max, max_at }) {
+  return Math.abs(min ?? 0) > Math.abs(max ?? 0) ? min_at : max_at;
+}

@@ -1,0 +1,49 @@
+/**
+ * Opening and saving design files.
+ *
+ * @import { Design, Read, ShellContext } from "./types.d.ts"
+ * @import { Texts } from "./texts.js"
+ */
+import { h } from "./dom.js";
+
+/** A design file has a few thousand characters; a larger one is something else. */
+const LARGEST = 1_000_000;
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ * @param {{ openFile: (text: string) => Read, saveFile: (design: Design) => string }} engine
+ */
+export function createFiles({ store, t, banner }, texts, { openFile, saveFile }) {
+  const chooser = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: "-1", "aria-hidden": "true" });
+  const open = texts.text(h("button", { type: "button", class: "quiet" }), "header.open");
+  const save = texts.text(h("button", { type: "button", class: "quiet" }), "header.save");
+  texts.attribute(open, "title", "header.open.hint");
+  texts.attribute(save, "title", "header.save.hint");
+
+  open.addEventListener("click", () => chooser.click());
+  chooser.addEventListener("change", async () => {
+    const [file] = chooser.files ?? [];
+    chooser.value = "";
+    if (!file) return;
+    const text = file.size > LARGEST ? "" : await file.text();
+    const read = openFile(text);
+    if (read.error) return banner.show("banner.file", { reason: read.error.message });
+    banner.hide();
+    store.replace(read.design, t("edit.file"));
+  });
+
+  save.addEventListener("click", () => {
+    const design = store.lastGood();
+    const url = URL.createObjectURL(new Blob([saveFile(design)], { type: "application/json" }));
+    h("a", { href: url, download: `${fileName(design.title) || "levalab"}.lev.json` }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+  });
+
+  return [chooser, open, save];
+}
+
+/** @param {string} title */
+function fileName(title) {
+  return title.replaceAll(/[\\/:*?"<>|.]+/g, " ").trim().replaceAll(/\s+/g, "-");
+}

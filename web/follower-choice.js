@@ -1,0 +1,50 @@
+/**
+ * The choice of follower: a radio group of small drawings.
+ *
+ * @import { FollowerEntry, ShellContext } from "./types.d.ts"
+ * @import { Texts } from "./texts.js"
+ */
+import { h } from "./dom.js";
+import { changeFollower } from "./follower-change.js";
+import { followerDrawing } from "./follower-drawings.js";
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ */
+export function createFollowerChoice({ store, catalogue, t }, texts) {
+  const chosen = h("span", { class: "aside" });
+  const radios = catalogue.followers.map((entry) => {
+    const input = h("input", { type: "radio", name: "follower", value: entry.id, class: "unseen" });
+    input.addEventListener("change", () => store.edit(t("edit.follower"), (draft) => changeFollower(draft, entry)));
+    const label = h("label", { class: "follower" }, input, followerDrawing(entry.id));
+    texts.also(() => {
+      label.title = t(`follower.${entry.id}`);
+      input.setAttribute("aria-label", label.title);
+    });
+    return { entry, input };
+  });
+
+  const root = h(
+    "fieldset",
+    { class: "followers" },
+    h("legend", {}, texts.text(h("span"), "design.follower"), chosen),
+    h("div", { class: "choices" }, ...radios.map(({ input }) => input.parentElement)),
+  );
+
+  function update() {
+    const current = followerEntry(catalogue.followers, store.state.design.follower);
+    for (const { entry, input } of radios) input.checked = entry === current;
+    chosen.textContent = current ? t(`follower.${current.id}`) : "";
+  }
+
+  return { root, update };
+}
+
+/**
+ * @param {FollowerEntry[]} followers
+ * @param {{ motion: string, contact: string }} follower
+ */
+export function followerEntry(followers, { motion, contact }) {
+  return followers.find((entry) => entry.motion === motion && entry.contact === contact);
+}

@@ -1,0 +1,158 @@
+/**
+ * The upper line: name, title, examples, undo and redo, link, files, language, theme, projector, help.
+ *
+ * @import { Language, Read, ShellContext, Theme } from "./types.d.ts"
+ * @import { Texts } from "./texts.js"
+ */
+import { h } from "./dom.js";
+import { createFiles } from "./files.js";
+import { createHelp } from "./help.js";
+import { icon } from "./icons.js";
+import { createShare } from "./share.js";
+import { createTexts } from "./texts.js";
+import { createTitleField } from "./title-field.js";
+
+/** @type {Theme[]} */
+const THEMES = ["system", "light", "dark"];
+
+/** @type {Language[]} */
+const LANGUAGES = ["es", "en"];
+
+/**
+ * @param {HTMLElement} root
+ * @param {ShellContext} context
+ * @param {{ openFile: (text: string) => Read, saveFile: (design: import("./types.d.ts").Design) => string }} engine
+ */
+export function mount(root, context, engine) {
+  const { store, t } = context;
+  const texts = createTexts(t);
+  const title = createTitleField(context, texts);
+  const history = createHistory(context);
+  const share = createShare(context, texts);
+  const files = createFiles(context, texts, engine);
+  const help = createHelp(texts);
+  const theme = createTheme(context);
+  const languages = createLanguages(context, texts);
+  const projector = h("button", { type: "button", class: "quiet" }, icon("projector"));
+  projector.addEventListener("click", () => store.set({ projector: !store.state.projector }));
+  texts.attribute(projector, "aria-label", "header.projector");
+  texts.attribute(projector, "title", "header.projector.hint");
+
+  root.append(
+    texts.attribute(h("h1", {}, "LevaLab"), "title", "app.tagline"),
+    title.input,
+    createExamples(context, texts),
+    h("div", { class: "group" }, history.undo, history.redo),
+    h("div", { class: "group" }, share.root, ...files),
+    h("div", { class: "group end" }, languages.root, theme.button, projector, help.button),
+    help.dialog,
+  );
+
+  function update() {
+    title.update();
+    history.update();
+    theme.update();
+    languages.update();
+    share.update();
+    projector.setAttribute("aria-pressed", String(store.state.projector));
+  }
+
+  update();
+  store.subscribe(["design", "error", "theme", "language", "projector"], (_, changed) => {
+    if (changed.has("language")) texts.refresh();
+    update();
+  });
+}
+
+/** @param {ShellContext} context */
+function createHistory({ store, t }) {
+  const undo = h("button", { type: "button", class: "quiet", "aria-keyshortcuts": "Control+Z" }, icon("undo"));
+  const redo = h("button", { type: "button", class: "quiet", "aria-keyshortcuts": "Control+Y" }, icon("redo"));
+  undo.addEventListener("click", () => store.undo());
+  redo.addEventListener("click", () => store.redo());
+
+  /**
+   * @param {HTMLButtonElement} button
+   * @param {boolean} possible
+   * @param {string} name
+   */
+  function show(button, possible, name) {
+    button.disabled = !possible;
+    button.setAttribute("aria-label", name);
+    button.title = name;
+  }
+
+  return {
+    undo,
+    redo,
+    update() {
+      show(undo, store.canUndo(), store.canUndo() ? t("header.undo.what", { what: store.undoLabel() }) : t("header.undo"));
+      show(redo, store.canRedo(), store.canRedo() ? t("header.redo.what", { what: store.redoLabel() }) : t("header.redo"));
+    },
+  };
+}
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ */
+function createExamples({ store, catalogue, t, banner }, texts) {
+  const choice = h("select", { class: "examples", id: "examples" });
+  texts.attribute(choice, "aria-label", "header.examples");
+  texts.also(() => {
+    choice.replaceChildren(
+      h("option", { value: "", hidden: true }, t("header.examples")),
+      ...catalogue.examples.map(({ id }) => h("option", { value: id }, `${id} – ${t(`example.${id}`)}`)),
+    );
+    choice.value = "";
+  });
+  choice.addEventListener("change", () => {
+    const example = catalogue.examples.find(({ id }) => id === choice.value);
+    choice.value = "";
+    if (!example) return;
+    banner.hide();
+    store.replace(example.design, t("edit.example", { name: example.id }));
+    store.set({ cursor: 0 });
+  });
+  return choice;
+}
+
+/** @param {ShellContext} context */
+function createTheme({ store, t }) {
+  const button = h("button", { type: "button", class: "quiet" });
+  button.addEventListener("click", () => {
+    const next = THEMES[(THEMES.indexOf(store.state.theme) + 1) % THEMES.length];
+    if (next) store.set({ theme: next });
+  });
+  return {
+    button,
+    update() {
+      const { theme } = store.state;
+      const name = t("header.theme", { theme: t(`theme.${theme}`) });
+      button.replaceChildren(icon(theme));
+      button.setAttribute("aria-label", name);
+      button.title = name;
+    },
+  };
+}
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ */
+function createLanguages({ store }, texts) {
+  const buttons = LANGUAGES.map((language) => {
+    const button = h("button", { type: "button", class: "quiet", lang: language }, language.toUpperCase());
+    button.addEventListener("click", () => store.set({ language }));
+    button.title = language === "es" ? "Español" : "English";
+    return { language, button };
+  });
+  const root = h("div", { class: "languages", role: "group" }, ...buttons.map(({ button }) => button));
+  texts.attribute(root, "aria-label", "header.language");
+  return {
+    root,
+    update() {
+      for (const { language, button } of buttons) button.setAttribute("aria-pressed", String(store.state.language === language));
+    },
+  };
+}

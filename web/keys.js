@@ -1,0 +1,39 @@
+/**
+ * Keys of the whole page: undo, redo, projector, help. Those of the animation belong to the transport.
+ *
+ * @import { ShellContext } from "./types.d.ts"
+ */
+
+/** @param {ShellContext} context */
+export function listen({ store }) {
+  addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.altKey) return;
+    const key = event.key.toLowerCase();
+    if (event.ctrlKey || event.metaKey) {
+      const redo = key === "y" || (key === "z" && event.shiftKey);
+      if ((!redo && key !== "z") || hasOwnEdit(event.target)) return;
+      event.preventDefault();
+      if (redo) store.redo();
+      else store.undo();
+      return;
+    }
+    if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
+    if (key === "p") store.set({ projector: !store.state.projector });
+    else if (key === "?") document.querySelector("dialog")?.showModal();
+    else return;
+    event.preventDefault();
+  });
+}
+
+/**
+ * A text that is not in the design yet is undone by the browser, not by us.
+ * @param {EventTarget | null} target
+ */
+function hasOwnEdit(target) {
+  return target instanceof HTMLElement && target.hasAttribute("data-pending");
+}
+
+/** @param {EventTarget | null} target */
+function isTyping(target) {
+  return target instanceof HTMLInputElement ? !["radio", "checkbox", "range", "button"].includes(target.type) : target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+}

@@ -1,0 +1,96 @@
+/**
+ * Puts the page together: engine, first design, modules, keys.
+ *
+ * @import { ShellContext } from "./types.d.ts"
+ */
+import * as appearance from "./appearance.js";
+import { createBanner } from "./banner.js";
+import * as designPanel from "./design-panel.js";
+import * as diagrams from "./diagrams.js";
+import { startEngine } from "./engine.js";
+import * as header from "./header.js";
+import * as keys from "./keys.js";
+import { firstDesign, keepLink } from "./link.js";
+import * as mechanism from "./mechanism.js";
+import { createFormat } from "./numbers.js";
+import * as readouts from "./readouts.js";
+import { store } from "./store.js";
+import { createTranslate } from "./strings/index.js";
+import * as transport from "./transport.js";
+import * as verdict from "./verdict.js";
+
+/** The example that the page opens with. */
+const FIRST_EXAMPLE = "9RT";
+
+const language = () => store.state.language;
+const t = createTranslate(language);
+const format = createFormat(language);
+const banner = createBanner(element("banner"), t);
+
+store.set(appearance.rememberedView(store.state));
+appearance.follow(store);
+
+try {
+  await start();
+} catch (error) {
+  console.error(error);
+  banner.show("banner.engine", { reason: error instanceof Error ? error.message : String(error) });
+}
+
+async function start() {
+  const engine = await startEngine({ language, restarted });
+  const catalogue = engine.catalogue();
+  const example = (catalogue.examples.find(({ id }) => id === FIRST_EXAMPLE) ?? catalogue.examples[0])?.design;
+  if (!example) throw new Error("no examples");
+
+  store.connect({
+    analyse: (design) => engine.analyse(design, t("banner.panic")),
+    failed(error) {
+      if (!engine.failed(error)) throw error;
+    },
+  });
+  const first = firstDesign(engine, example);
+  if (!store.start(first.design)) store.start(example);
+
+  /** @type {ShellContext} */
+  const context = { store, lab: engine.lab, t, format, catalogue, banner, announce };
+  header.mount(element("header"), context, engine);
+  designPanel.mount(element("design"), context);
+  mechanism.mount(element("mechanism"), context);
+  transport.mount(element("transport"), context);
+  diagrams.mount(element("diagrams"), context);
+  readouts.mount(element("readouts"), context);
+  verdict.mount(element("verdict"), context);
+  keys.listen(context);
+  keepLink(context, engine, first.damaged !== undefined);
+  if (first.damaged) banner.show("banner.link", { reason: first.damaged.reason }, first.damaged.raw);
+
+  store.set({ playing: !matchMedia("(prefers-reduced-motion: reduce)").matches });
+  store.subscribe(["language"], () => {
+    banner.refresh();
+    store.reanalyse();
+  });
+  store.drawNow();
+  performance.mark("levalab:drawn");
+}
+
+/** @param {boolean} hopeless */
+function restarted(hopeless) {
+  banner.show(hopeless ? "banner.broken" : "banner.panic");
+  store.touch("report");
+}
+
+/** @param {string} sentence */
+function announce(sentence) {
+  element("announcer").textContent = sentence;
+}
+
+/**
+ * @param {string} id
+ * @returns {HTMLElement}
+ */
+function element(id) {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`#${id} is missing`);
+  return found;
+}

@@ -1,0 +1,218 @@
+/**
+ * A number of the design: label, field, unit, and what is wrong with it told beneath.
+ *
+ * @import { Design, ShellContext, State } from "./types.d.ts"
+ * @import { NumberProblem } from "./numbers.js"
+ */
+import { h } from "./dom.js";
+import { fieldText, parseNumber } from "./numbers.js";
+import { factor, scrub, tidy } from "./scrub.js";
+
+let sessions = 0;
+
+/** Figures of a number at rest; in use it shows all it has. */
+const AT_REST = 7;
+
+/**
+ * @typedef {object} Options
+ * @property {string} id
+ * @property {() => string} name        what the undo step and screen readers call it
+ * @property {Node} [label]             what is seen before the field; without it `name` is only heard
+ * @property {() => string} unit
+ * @property {(design: Readonly<Design>) => number | undefined} read
+ * @property {(draft: Design, value: number) => void} write
+ * @property {(design: Readonly<Design>) => number} step
+ * @property {() => string} path        where the engine's errors point
+ * @property {() => import("./types.d.ts").Highlight} highlight
+ */
+
+/**
+ * @param {ShellContext} context
+ * @param {Options} options
+ */
+export function createNumberField({ store, t }, { id, name, label, unit, read, write, step, path, highlight }) {
+  const errorId = `${id}-error`;
+  const input = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", class: "number" });
+  const unitNode = h("span", { class: "unit", id: `${id}-unit` });
+  const error = h("p", { class: "error", id: errorId, hidden: true });
+  const heard = h("span", { class: "unseen" });
+  const labelNode = label ? h("label", { for: id }, label, heard) : null;
+
+  /** @type {number | undefined} */
+  let shown;
+  /** @type {{ text: string, problem: NumberProblem } | null} */
+  let pending = null;
+  /** @type {number | undefined} */
+  let before;
+  let session = "";
+
+  const current = () => read(store.state.design);
+  const focused = () => document.activeElement === input;
+
+  function begin() {
+    session = `field:${++sessions}`;
+    before = current();
+  }
+
+  /** @param {number} value */
+  function show(value) {
+    shown = value;
+    const exact = focused() ? value : Number(value.toPrecision(AT_REST));
+    const text = fieldText(exact, store.state.language);
+    if (input.value !== text) input.value = text;
+  }
+
+  /**
+   * @param {number} value
+   * @param {string} gesture
+   */
+  function change(value, gesture) {
+    if (value === current()) return;
+    store.edit(t("edit.field", { name: name() }), (draft) => write(draft, value), { gesture });
+  }
+
+  /** @param {string | null} message */
+  function tell(message) {
+    error.hidden = message === null;
+    if (message !== null && error.textContent !== message) error.textContent = message;
+    if (message === null) input.removeAttribute("aria-invalid");
+    else input.setAttribute("aria-invalid", "true");
+    const described = [unit() && !labelNode?.contains(unitNode) ? unitNode.id : "", message === null ? "" : errorId].filter(Boolean).join(" ");
+    if (described) input.setAttribute("aria-describedby", described);
+    else input.removeAttribute("aria-describedby");
+    input.toggleAttribute("data-pending", pending !== null);
+  }
+
+  function typed() {
+    const reading = parseNumber(input.value, unit());
+    if (reading.problem) {
+      pending = { text: input.value, problem: reading.problem };
+    } else {
+      pending = null;
+      shown = reading.value;
+      change(reading.value, session);
+    }
+    update(store.state);
+  }
+
+  /** @param {KeyboardEvent} event */
+  function key(event) {
+    if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+      event.preventDefault();
+      const value = current();
+      if (value === undefined) return;
+      const by = step(store.state.design) * factor(event) * (event.key === "ArrowUp" ? 1 : -1);
+      pending = null;
+      change(tidy(value + by), session);
+      show(tidy(value + by));
+      update(store.state);
+    } else if (event.key === "Escape" && (pending || current() !== before)) {
+      event.preventDefault();
+      event.stopPropagation();
+      pending = null;
+      store.cancel(session);
+      rest();
+      begin();
+    } else if (event.key === "Enter") {
+      rest();
+      begin();
+      input.select();
+    }
+  }
+
+  /** The field at rest shows its number in the usual form; what could not be read stays as it was typed. */
+  function rest() {
+    const value = current();
+    if (!pending && value !== undefined) show(value);
+    store.endGesture();
+    update(store.state);
+  }
+
+  input.addEventListener("focus", () => {
+    begin();
+    const value = current();
+    if (!pending && value !== undefined) show(value);
+    input.select();
+    store.set({ highlight: highlight() });
+  });
+  input.addEventListener("blur", () => {
+    rest();
+    store.set({ highlight: null });
+  });
+  input.addEventListener("input", typed);
+  input.addEventListener("keydown", key);
+  if (labelNode) {
+    scrub(labelNode, {
+      value: () => current() ?? 0,
+      step: () => step(store.state.design),
+      change,
+      cancel: (gesture) => store.cancel(gesture),
+      end: () => store.endGesture(),
+    });
+    labelNode.addEventListener("pointerenter", () => store.set({ highlight: highlight() }));
+    labelNode.addEventListener("pointerleave", () => {
+      if (!focused()) store.set({ highlight: null });
+    });
+  }
+
+  /** @param {Readonly<State>} state */
+  function update(state) {
+    const value = read(state.design);
+    if (value === undefined) return;
+    if (value !== shown) {
+      pending = null;
+      show(value);
+    }
+    const wrong = state.error !== null && state.error.path === path() ? state.error.message : null;
+    tell(pending ? t(`number.${pending.problem}`, { text: pending.text }) : wrong);
+  }
+
+  return {
+    label: labelNode,
+    input,
+    unit: unitNode,
+    error,
+    update,
+
+    /** Words again, after a change of language. */
+    speak() {
+      heard.textContent = ` ${name()}`;
+      if (!labelNode) input.setAttribute("aria-label", name());
+      unitNode.textContent = unit();
+      const value = current();
+      if (value !== undefined && !pending) show(value);
+      update(store.state);
+    },
+
+    /** The unit alone, which follows the design. */
+    speakUnit() {
+      if (unitNode.textContent !== unit()) unitNode.textContent = unit();
+    },
+
+    /** Forgets what could not be read. */
+    reset() {
+      pending = null;
+      shown = undefined;
+      update(store.state);
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createNumberField>} NumberField */
+
+/**
+ * A step of lengths that suits the cam's size: 1 for a base radius of 35, 0.01 for 0.2.
+ * @param {Readonly<Design>} design
+ */
+export function lengthStep(design) {
+  const size = Math.abs(design.cam.base_radius) / 20;
+  return size > 0 && Number.isFinite(size) ? 10 ** Math.floor(Math.log10(size) + 1e-9) : 1;
+}
+
+/**
+ * A step of a tenth of the leading digit: 10 for 390, 0.1 for 1.
+ * @param {number} value
+ */
+export function ownStep(value) {
+  return value === 0 || !Number.isFinite(value) ? 0.1 : 10 ** (Math.floor(Math.log10(Math.abs(value)) + 1e-9) - 1);
+}

@@ -1,0 +1,81 @@
+/**
+ * The line under the segments: whether the program closes, and if not, the ways to close it in one click.
+ *
+ * @import { Design, ShellContext } from "./types.d.ts"
+ * @import { Texts } from "./texts.js"
+ */
+import { h } from "./dom.js";
+import * as program from "./program.js";
+import { riseUnit } from "./segment-row.js";
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ * @param {HTMLButtonElement} add
+ */
+export function createClosing({ store, t, format }, texts, add) {
+  const sum = h("span", { class: "sum" });
+  const fixes = h("div", { class: "fixes" });
+  const problem = h("p", { class: "error", hidden: true, id: "program-problem" });
+  const root = h("div", { class: "closing" }, h("div", { class: "closing-line" }, sum, add), problem, fixes);
+
+  /**
+   * @param {string} key
+   * @param {string} label
+   * @param {(draft: Design) => void} fn
+   */
+  function fix(key, label, fn) {
+    const button = texts.text(h("button", { type: "button", hidden: true }), key);
+    button.addEventListener("click", () => {
+      const next = [...fixes.children].indexOf(button);
+      store.edit(t(label), fn);
+      update();
+      const other = [...fixes.querySelectorAll("button")].find((candidate) => !candidate.hidden);
+      if (next >= 0 && button.hidden) (other ?? add).focus();
+    });
+    fixes.append(button);
+    return button;
+  }
+
+  const fillReturn = fix("segments.fill.return", "edit.close", program.fillWithReturn);
+  const fill = fix("segments.fill", "edit.fill", program.fillWithDwell);
+  const stretch = fix("segments.stretch", "edit.fill", program.stretchLast);
+  const shorten = fix("segments.shorten", "edit.fill", program.stretchLast);
+  const spread = texts.attribute(fix("segments.spread", "edit.spread", program.spread), "title", "segments.spread.hint");
+  const close = fix("segments.close", "edit.close", program.closeWithLastMove);
+
+  function update() {
+    const { design, error } = store.state;
+    const left = program.degreesLeft(design);
+    const height = program.heightAt(design);
+    fillReturn.hidden = !(left > 0 && height !== 0);
+    fill.hidden = !(left > 0 && height === 0);
+    stretch.hidden = !(left > 0);
+    shorten.hidden = !(left < 0 && program.canStretchLast(design));
+    spread.hidden = left === 0 || left >= 360;
+    close.hidden = !(height !== 0 && left <= 0 && design.segments.some(({ rise }) => (rise ?? 0) !== 0));
+    fixes.hidden = [...fixes.children].every((button) => button instanceof HTMLElement && button.hidden);
+
+    sum.textContent = sentence(left, height, riseUnit(design));
+    root.classList.toggle("open", left !== 0 || height !== 0);
+    const own = error?.path === "segments" && left === 0 && height === 0;
+    problem.hidden = !own;
+    problem.textContent = own ? error.message : "";
+  }
+
+  /**
+   * @param {number} left
+   * @param {number} height
+   * @param {string} unit
+   */
+  function sentence(left, height, unit) {
+    const parts = [];
+    if (left > 0) parts.push(t("segments.left", { angle: format.number(left, { unit: "°" }) }));
+    if (left < 0) parts.push(t("segments.over", { angle: format.number(-left, { unit: "°" }) }));
+    if (height > 0) parts.push(t("segments.height.above", { height: format.number(height, { unit }) }));
+    if (height < 0) parts.push(t("segments.height.below", { height: format.number(-height, { unit }) }));
+    return parts.length ? parts.join(" · ") : t("segments.closed");
+  }
+
+  return { root, update };
+}

@@ -1,0 +1,209 @@
+/**
+ * One segment of the program on one line: its place, law, angle and rise.
+ *
+ * @import { Catalogue, LawEntry, Segment, ShellContext } from "./types.d.ts"
+ * @import { NumberField } from "./number-field.js"
+ */
+import { h, symbol } from "./dom.js";
+import { createThumbnail } from "./law-thumbnail.js";
+import { createNumberField, lengthStep } from "./number-field.js";
+import { changeLaw } from "./program.js";
+
+let rows = 0;
+
+/**
+ * @param {ShellContext} context
+ * @param {object} actions
+ * @param {(row: SegmentRow) => void} actions.menu
+ * @param {(row: SegmentRow, by: number) => void} actions.move
+ * @param {(row: SegmentRow, event: PointerEvent) => void} actions.grab
+ */
+export function createSegmentRow(context, actions) {
+  const { store, catalogue, t, format } = context;
+  const id = `segment-${++rows}`;
+  let index = 0;
+  /** @type {LawEntry | undefined} */
+  let law;
+  /** @type {{ key: string, field: NumberField }[]} */
+  let extras = [];
+
+  const number = () => ({ number: index + 1 });
+  const grip = h("button", { type: "button", class: "grip" });
+  const thumbnail = createThumbnail();
+  const lawSelect = h("select", { class: "law", id: `${id}-law` });
+  const more = h("button", { type: "button", class: "more", "aria-haspopup": "menu" }, "⋯");
+  const problem = h("p", { class: "error", hidden: true, id: `${id}-problem` });
+  const parameters = h("div", { class: "parameters" });
+
+  const beta = createNumberField(context, {
+    id: `${id}-beta`,
+    name: () => t("segments.beta.of", number()),
+    unit: () => "°",
+    read: (design) => design.segments[index]?.beta,
+    write: (draft, value) => set(draft.segments[index], "beta", value),
+    step: () => 1,
+    path: () => `segments[${index}].beta`,
+    highlight: () => ({ segment: index }),
+  });
+  const rise = createNumberField(context, {
+    id: `${id}-rise`,
+    name: () => t("segments.rise.of", number()),
+    unit: () => riseUnit(store.state.design),
+    read: (design) => design.segments[index] && (design.segments[index].rise ?? 0),
+    write: (draft, value) => set(draft.segments[index], "rise", value),
+    step: (design) => (design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
+    path: () => `segments[${index}].rise`,
+    highlight: () => ({ segment: index }),
+  });
+  const line = h("div", { class: "line" }, grip, thumbnail.root, lawSelect, beta.input, rise.input, more);
+  const root = h("li", { class: "segment" }, line, parameters, beta.error, rise.error, problem);
+
+  lawSelect.addEventListener("change", () => {
+    const next = catalogue.laws.find((entry) => entry.id === lawSelect.value);
+    if (next) store.edit(t("edit.law", number()), (draft) => changeLaw(draft, index, next));
+  });
+  more.addEventListener("click", () => actions.menu(row));
+  grip.addEventListener("click", () => {
+    const theta = store.state.report.borders[index];
+    if (theta !== undefined) store.set({ cursor: theta % 360 });
+  });
+  grip.addEventListener("pointerdown", (event) => actions.grab(row, event));
+  root.addEventListener("keydown", (event) => {
+    if (!event.altKey || event.target instanceof HTMLInputElement) return;
+    if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
+    event.preventDefault();
+    actions.move(row, event.key === "ArrowUp" ? -1 : 1);
+  });
+  root.addEventListener("pointerenter", () => store.set({ highlight: { segment: index } }));
+  root.addEventListener("pointerleave", () => store.set({ highlight: null }));
+  root.addEventListener("focusin", () => store.set({ highlight: { segment: index } }));
+
+  /** @param {LawEntry | undefined} next */
+  function adoptLaw(next) {
+    law = next;
+    extras = (next?.parameters ?? []).map(({ key, symbol: sign }) => ({
+      key,
+      field: createNumberField(context, {
+        id: `${id}-${key}`,
+        label: symbol(sign),
+        name: () => t("segments.parameter.of", { name: t(`parameter.${key}`), ...number() }),
+        unit: () => "",
+        read: (design) => {
+          const value = design.segments[index]?.[key];
+          return typeof value === "number" ? value : undefined;
+        },
+        write: (draft, value) => set(draft.segments[index], key, value),
+        step: () => 0.05,
+        path: () => `segments[${index}].${key}`,
+        highlight: () => ({ segment: index }),
+      }),
+    }));
+    parameters.replaceChildren(
+      ...extras.map(({ key, field }) => {
+        field.speak();
+        if (field.label) field.label.title = t(`parameter.${key}.hint`);
+        return h("div", { class: "field" }, field.label, field.input, field.error);
+      }),
+    );
+    root.classList.toggle("still", next !== undefined && !next.moves);
+    rise.input.disabled = next !== undefined && !next.moves;
+  }
+
+  function speak() {
+    lawSelect.replaceChildren(...lawGroups(catalogue, t));
+    lawSelect.setAttribute("aria-label", t("segments.law.of", number()));
+    more.setAttribute("aria-label", t("segments.actions", number()));
+    more.title = more.ariaLabel ?? "";
+    for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.speak();
+    if (law) lawSelect.value = law.id;
+  }
+
+  /** @param {number} at */
+  function update(at) {
+    const renumbered = at !== index || grip.textContent === "";
+    index = at;
+    const { design, error } = store.state;
+    const segment = design.segments[index];
+    if (!segment) return;
+    const entry = catalogue.laws.find(({ id: known }) => known === segment.law);
+    if (entry !== law) adoptLaw(entry);
+    if (renumbered) {
+      grip.textContent = String(index + 1);
+      speak();
+    }
+    lawSelect.value = segment.law;
+    lawSelect.title = t(`law.${segment.law}`);
+    thumbnail.draw(entry?.thumbnail ?? [], (segment.rise ?? 0) < 0);
+    const from = design.segments.slice(0, index).reduce((sum, { beta: span }) => sum + span, 0);
+    const name = t("segments.grip", { ...number(), from: format.number(from, { unit: "°" }), to: format.number(from + segment.beta, { unit: "°" }) });
+    if (grip.ariaLabel !== name) {
+      grip.setAttribute("aria-label", name);
+      grip.title = name;
+    }
+    for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.update(store.state);
+    tell(error !== null && isOwn(error.path) ? error.message : null);
+  }
+
+  /** @param {string} path */
+  function isOwn(path) {
+    const own = `segments[${index}]`;
+    if (path !== own && !path.startsWith(`${own}.`)) return false;
+    return ![`${own}.beta`, `${own}.rise`, ...extras.map(({ key }) => `${own}.${key}`)].includes(path);
+  }
+
+  /** @param {string | null} message */
+  function tell(message) {
+    problem.hidden = message === null;
+    problem.textContent = message ?? "";
+    if (message === null) lawSelect.removeAttribute("aria-describedby");
+    else lawSelect.setAttribute("aria-describedby", problem.id);
+  }
+
+  const row = {
+    root,
+    grip,
+    more,
+    lawSelect,
+    get index() {
+      return index;
+    },
+    update,
+    speak,
+    reset() {
+      for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.reset();
+    },
+  };
+  return row;
+}
+
+/** @typedef {ReturnType<typeof createSegmentRow>} SegmentRow */
+
+/**
+ * @param {Segment | undefined} segment
+ * @param {string} key
+ * @param {number} value
+ */
+function set(segment, key, value) {
+  if (segment) segment[key] = value;
+}
+
+/** @param {{ follower: { motion: string }, length_unit: string }} design */
+export function riseUnit({ follower, length_unit }) {
+  return follower.motion === "oscillating" ? "°" : length_unit;
+}
+
+/**
+ * @param {Catalogue} catalogue
+ * @param {ShellContext["t"]} t
+ */
+function lawGroups(catalogue, t) {
+  const groups = [...new Set(catalogue.laws.map(({ group }) => group))];
+  return groups.map((group) =>
+    h(
+      "optgroup",
+      { label: t(`group.${group}`) },
+      ...catalogue.laws.filter((entry) => entry.group === group).map(({ id }) => h("option", { value: id }, t(`law.${id}`))),
+    ),
+  );
+}
+

@@ -1,0 +1,178 @@
+/**
+ * The motion program: its segments in a table that can be changed anywhere, and what is left of the turn.
+ *
+ * @import { Design, ShellContext } from "./types.d.ts"
+ * @import { Action } from "./segment-menu.js"
+ * @import { SegmentRow } from "./segment-row.js"
+ * @import { Texts } from "./texts.js"
+ */
+import { h, symbol } from "./dom.js";
+import * as program from "./program.js";
+import { createClosing } from "./segment-closing.js";
+import { createSegmentMenu } from "./segment-menu.js";
+import { createSegmentRow, riseUnit } from "./segment-row.js";
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ */
+export function createSegments(context, texts) {
+  const { store, catalogue, t, announce } = context;
+  /** @type {SegmentRow[]} */
+  const rows = [];
+  /** @type {SegmentRow | null} */
+  let chosen = null;
+
+  const list = h("ol", { class: "segments" });
+  const riseHead = h("span", { class: "unit" });
+  const head = h(
+    "div",
+    { class: "segments-head", "aria-hidden": "true" },
+    texts.text(h("span", { class: "law-head" }), "segments.law"),
+    h("span", { class: "number-head" }, symbol("β"), " °"),
+    h("span", { class: "number-head" }, symbol("L"), " ", riseHead),
+  );
+  const add = texts.text(h("button", { type: "button", class: "quiet" }), "segments.add");
+  const closing = createClosing(context, texts, add);
+  const menu = createSegmentMenu(t, act);
+  const root = h(
+    "fieldset",
+    { class: "program" },
+    texts.text(h("legend"), "design.program"),
+    head,
+    list,
+    closing.root,
+    menu.root,
+  );
+
+  add.addEventListener("click", () => insert(store.state.design.segments.length, store.state.design.segments.length - 1));
+
+  const count = () => store.state.design.segments.length;
+  const full = () => count() >= catalogue.limits.segments;
+
+  /** @param {Action} action */
+  function possible(action) {
+    const index = chosen?.index ?? 0;
+    if (action === "delete") return count() > 1;
+    if (action === "up") return index > 0;
+    if (action === "down") return index < count() - 1;
+    return !full();
+  }
+
+  /** @param {Action} action */
+  function act(action) {
+    if (!chosen) return;
+    const { index } = chosen;
+    if (action === "insert-before") insert(index, index);
+    else if (action === "insert-after") insert(index + 1, index);
+    else if (action === "duplicate") change(t("edit.duplicate"), (draft) => program.duplicate(draft, index), index + 1);
+    else if (action === "delete") remove(index);
+    else move(chosen, action === "up" ? -1 : 1);
+  }
+
+  /**
+   * Edits the list and takes the focus to where the change happened.
+   * @param {string} label
+   * @param {(draft: Design) => void} fn
+   * @param {number} focus
+   * @param {"lawSelect" | "grip"} [part]
+   */
+  function change(label, fn, focus, part = "lawSelect") {
+    store.edit(label, fn);
+    update();
+    for (const row of rows) row.reset();
+    rows[focus]?.[part].focus();
+  }
+
+  /**
+   * @param {number} index
+   * @param {number} neighbour
+   */
+  function insert(index, neighbour) {
+    if (!full()) change(t("edit.insert"), (draft) => program.insert(draft, index, neighbour), index);
+  }
+
+  /** @param {number} index */
+  function remove(index) {
+    change(t("edit.delete"), (draft) => program.remove(draft, index), Math.min(index, count() - 2), "grip");
+    announce(t("segments.removed", { count: count() }));
+  }
+
+  /**
+   * @param {SegmentRow} row
+   * @param {number} by
+   */
+  function move(row, by) {
+    const from = row.index;
+    const to = from + by;
+    if (to < 0 || to >= count()) return;
+    const part = document.activeElement === row.lawSelect ? "lawSelect" : "grip";
+    change(t("edit.move"), (draft) => program.move(draft, from, to), to, part);
+    announce(t("segments.moved", { number: to + 1, count: count() }));
+  }
+
+  /**
+   * Dragging a row by its number: it changes place with the rows it is drawn over, as one undo step.
+   * @param {SegmentRow} row
+   * @param {PointerEvent} down
+   */
+  function grab(row, down) {
+    if (down.button !== 0) return;
+    const gesture = `move:${down.timeStamp}`;
+    let at = row.index;
+
+    /** @param {PointerEvent} event */
+    function drag(event) {
+      const to = rows.findIndex(({ root: other }) => {
+        const { top, bottom } = other.getBoundingClientRect();
+        return event.clientY >= top && event.clientY < bottom;
+      });
+      if (to < 0 || to === at) return;
+      const from = at;
+      at = to;
+      store.edit(t("edit.move"), (draft) => program.move(draft, from, to), { gesture });
+      update();
+      for (const other of rows) other.root.classList.toggle("dragged", other.index === at);
+    }
+
+    function drop() {
+      removeEventListener("pointermove", drag);
+      for (const other of rows) other.root.classList.remove("dragged");
+      store.endGesture();
+    }
+
+    addEventListener("pointermove", drag);
+    addEventListener("pointerup", drop, { once: true });
+    addEventListener("pointercancel", drop, { once: true });
+  }
+
+  function update() {
+    const { design } = store.state;
+    while (rows.length > design.segments.length) rows.pop()?.root.remove();
+    while (rows.length < design.segments.length) {
+      const row = createSegmentRow(context, { menu: openMenu, move, grab });
+      rows.push(row);
+      list.append(row.root);
+    }
+    rows.forEach((row, index) => row.update(index));
+    riseHead.textContent = riseUnit(design);
+    add.disabled = full();
+    closing.update();
+  }
+
+  /** @param {SegmentRow} row */
+  function openMenu(row) {
+    chosen = row;
+    menu.open(row.more, possible);
+  }
+
+  function light() {
+    const lit = store.state.highlight?.segment;
+    rows.forEach(({ root: row }, index) => row.classList.toggle("lit", index === lit));
+  }
+
+  texts.also(() => {
+    for (const row of rows) row.speak();
+  });
+  return { root, update, light };
+}

@@ -1,0 +1,157 @@
+/**
+ * The verdict: a traffic light with shape and word, the key figures, and every finding with the changes that cure it.
+ *
+ * @import { Cure, Finding, Level, ShellContext } from "./types.d.ts"
+ */
+import { h, s } from "./dom.js";
+import { createFigures } from "./figures.js";
+import { applyEdits } from "./program.js";
+import { createTexts } from "./texts.js";
+
+/** Findings that are in sight before the list is opened. */
+const IN_SIGHT = 2;
+
+/** Quiet milliseconds after which a changed verdict is said. */
+const QUIET = 900;
+
+/** @typedef {Level | "stopped"} Light */
+
+/** Shapes that differ without their colour: disc with a tick, triangle, octagon with a bar, square with a cross. */
+/** @type {Record<Light, string[]>} */
+const SHAPES = {
+  acceptable: ["M12 2a10 10 0 1 0 0 20a10 10 0 1 0 0-20z", "M7.500 12.500l3 3l6-6.500"],
+  "low-speed": ["M12 2.500L22.500 21h-21z", "M12 9v6M12 17.500v1"],
+  unacceptable: ["M7.900 2h8.200l5.900 5.900v8.200l-5.900 5.900h-8.200l-5.900-5.900v-8.200z", "M7 12h10"],
+  stopped: ["M3 3h18v18h-18z", "M8 8l8 8M16 8l-8 8"],
+};
+
+/**
+ * @param {HTMLElement} root
+ * @param {ShellContext} context
+ */
+export function mount(root, context) {
+  const { store, t, format, announce } = context;
+  const texts = createTexts(t);
+  const sign = s("svg", { viewBox: "0 0 24 24", class: "light", "aria-hidden": "true" }, s("path", { class: "shape" }), s("path", { class: "mark" }));
+  const word = h("strong", { class: "word" });
+  const headline = h("span", { class: "headline" });
+  const figures = createFigures(context);
+  const list = h("ul", { class: "findings" });
+  const more = h("button", { type: "button", class: "quiet more-findings", "aria-expanded": "false" });
+  const heading = texts.text(h("h2", { class: "unseen", id: "verdict-heading" }), "app.verdict");
+  let open = false;
+  let said = "";
+  let timer = 0;
+
+  root.setAttribute("aria-labelledby", heading.id);
+  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline), figures.root), list, more);
+  texts.attribute(list, "aria-label", "verdict.findings");
+  more.addEventListener("click", () => {
+    open = !open;
+    fold();
+  });
+
+  function update() {
+    const { report, error } = store.state;
+    /** @type {Light} */
+    const light = error ? "stopped" : report.verdict.level;
+    root.dataset.level = light;
+    sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
+    sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
+    word.textContent = t(`verdict.${light}`);
+    headline.textContent = error ? `${error.message} ${t("verdict.stopped.kept")}` : report.verdict.headline;
+    list.replaceChildren(...(error ? [] : report.verdict.findings.map(finding)));
+    figures.update();
+    fold();
+    say(`${word.textContent}. ${headline.textContent}`);
+  }
+
+  function fold() {
+    const items = [...list.children];
+    const hidden = items.length - IN_SIGHT;
+    const foldable = hidden > 0;
+    items.forEach((item, index) => item.classList.toggle("beyond", foldable && !open && index >= IN_SIGHT));
+    list.hidden = items.length === 0;
+    more.hidden = !foldable;
+    more.setAttribute("aria-expanded", String(open));
+    more.textContent = open ? t("verdict.fewer") : t("verdict.more", { count: hidden });
+    root.classList.toggle("open", open && foldable);
+  }
+
+  /** @param {Finding} what */
+  function finding(what) {
+    const places = what.places.length > 1 ? what.places : [];
+    /** @type {import("./types.d.ts").Highlight} */
+    const highlight = what.interval ? { theta: what.theta, interval: what.interval } : { theta: what.theta };
+    const sentence = h("button", { type: "button", class: "finding-text", title: t("verdict.see", { angle: format.angle(what.theta) }) }, what.message);
+    sentence.addEventListener("click", () => see(what.theta));
+    const item = h(
+      "li",
+      { class: `finding ${what.severity}` },
+      sentence,
+      ...places.map((theta) => place(theta)),
+      h("span", { class: "cures" }, ...what.cures.map(cureButton)),
+    );
+    item.addEventListener("pointerenter", () => store.set({ highlight }));
+    item.addEventListener("pointerleave", () => store.set({ highlight: null }));
+    item.addEventListener("focusin", () => store.set({ highlight }));
+    item.addEventListener("focusout", () => store.set({ highlight: null }));
+    return item;
+  }
+
+  /** @param {number} theta */
+  function place(theta) {
+    const button = h("button", { type: "button", class: "place", title: t("verdict.see", { angle: format.angle(theta) }) }, format.number(Math.round(theta * 10) / 10, { unit: "°" }));
+    button.addEventListener("click", () => see(theta));
+    return button;
+  }
+
+  /** @param {number} theta */
+  function see(theta) {
+    store.set({ cursor: ((theta % 360) + 360) % 360, playing: false, highlight: { theta } });
+  }
+
+  /** @param {Cure} cure */
+  function cureButton(cure) {
+    const button = h("button", { type: "button", class: "cure" }, cure.message);
+    button.addEventListener("click", () => {
+      store.edit(t("edit.cure"), (draft) => applyEdits(draft, cure.edits));
+      update();
+      const next = list.querySelector("button") ?? (more.hidden ? null : more);
+      if (next instanceof HTMLElement) next.focus();
+      else word.focus();
+    });
+    return button;
+  }
+
+  /** Says a verdict that has changed, once the hands are still. @param {string} sentence */
+  function say(sentence) {
+    clearTimeout(timer);
+    if (sentence === said) return;
+    timer = window.setTimeout(() => {
+      if (said !== "") announce(sentence);
+      said = sentence;
+    }, said === "" ? 0 : QUIET);
+  }
+
+  word.tabIndex = -1;
+  update();
+  store.subscribe(["report", "error"], update);
+  store.subscribe(["language"], () => {
+    texts.refresh();
+    update();
+  });
+  keepOverhang(root);
+}
+
+/**
+ * On a phone the section sticks to the lower edge with only its first line in sight; the sheet needs to know how much hangs over.
+ * @param {HTMLElement} root
+ */
+function keepOverhang(root) {
+  const line = root.querySelector(".verdict-line");
+  if (!line) return;
+  new ResizeObserver(() => {
+    root.style.setProperty("--overhang", `${Math.min(0, line.getBoundingClientRect().height - root.offsetHeight)}px`);
+  }).observe(root);
+}
