@@ -42,11 +42,14 @@ const ROUNDING: f64 = 1e-12;
 
 /// Extremes of a quantity over the turn.
 pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extremes {
-    let (low, high) = bounds(samples.grid(quantity), bounds(samples.own(quantity), (f64::INFINITY, f64::NEG_INFINITY)));
+    let (low, high) = bounds(samples.grid(quantity), bounds(samples.own(quantity), NOTHING));
     let (max, max_at) = greatest(cam, samples, quantity, 1.0, (low, high));
     let (min, min_at) = greatest(cam, samples, quantity, -1.0, (-high, -low));
     Extremes { min: -min, min_at, max, max_at }
 }
+
+/// Bounds of no values at all.
+const NOTHING: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 /// Least and greatest of some values, eight at a time so that the processor can compare them together.
 fn bounds(values: &[f64], (mut low, mut high): (f64, f64)) -> (f64, f64) {
@@ -84,26 +87,26 @@ fn greatest(cam: &Cam, samples: &Samples, quantity: Quantity, sign: f64, (low, h
     let mut best: Option<(f64, f64)> = None;
     let mut bumps: Vec<Bump> = Vec::new();
     for (stretch, span) in samples.spans.iter().enumerate() {
-        let tall = |values: &[f64]| values.iter().any(|value| sign * value >= worth_a_look);
-        let grid = &samples.grid(quantity)[span.grid.clone()];
-        if !tall(&samples.own(quantity)[span.own.clone()]) && !tall(grid) {
+        let (grid, own) = (&samples.grid(quantity)[span.grid.clone()], &samples.own(quantity)[span.own.clone()]);
+        let (lowest, highest) = bounds(own, bounds(grid, NOTHING));
+        if (if sign > 0.0 { highest } else { -lowest }) < worth_a_look {
             continue;
         }
         let along = samples.along(span, quantity);
+        let mut before = (f64::NAN, f64::NEG_INFINITY);
         for (i, &(theta, value)) in along.iter().enumerate() {
-            let here = sign * value;
-            if here < worth_a_look {
-                continue;
+            let here = (theta, sign * value);
+            if here.1 >= worth_a_look {
+                let after = along.get(i + 1).map_or((theta, f64::NEG_INFINITY), |next| (next.0, sign * next.1));
+                if best.is_none() && here.1 >= as_good {
+                    best = Some((here.1, theta));
+                }
+                if here.1 >= before.1 && here.1 > after.1 || here.1 > before.1 && here.1 >= after.1 {
+                    let first = if i == 0 { here } else { before };
+                    bumps.push(Bump { stretch, points: [(first.0, before.1), here, after], promise: vertex(before.1, here.1, after.1) });
+                }
             }
-            if best.is_none() && here >= as_good {
-                best = Some((here, theta));
-            }
-            let beside = |k: Option<usize>| k.and_then(|k| along.get(k)).map_or((theta, f64::NEG_INFINITY), |p| (p.0, sign * p.1));
-            let points = [beside(i.checked_sub(1)), (theta, here), beside(Some(i + 1))];
-            let [(_, before), _, (_, after)] = points;
-            if here >= before && here > after || here > before && here >= after {
-                bumps.push(Bump { stretch, points, promise: vertex(before, here, after) });
-            }
+            before = here;
         }
     }
     let mut best = best.unwrap_or((high, 0.0));

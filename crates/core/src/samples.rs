@@ -150,10 +150,14 @@ impl Samples {
 
     /// The samples of a stretch in order of θ, with the values of a quantity.
     pub fn along(&self, span: &Span, quantity: Quantity) -> Vec<(f64, f64)> {
-        let of_grid = span.grid.clone().map(|i| (self.theta[i], self.grid(quantity)[i]));
-        let of_its_own = span.own.clone().map(|i| (self.own_theta[i], self.own(quantity)[i]));
-        let mut all: Vec<(f64, f64)> = of_grid.chain(of_its_own).collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let pairs = |thetas: &[f64], values: &[f64]| -> Vec<(f64, f64)> {
+            thetas.iter().copied().zip(values.iter().copied()).collect()
+        };
+        let mut all = pairs(&self.theta[span.grid.clone()], &self.grid(quantity)[span.grid.clone()]);
+        for (theta, value) in pairs(&self.own_theta[span.own.clone()], &self.own(quantity)[span.own.clone()]) {
+            let place = if all.last().is_none_or(|last| last.0 < theta) { all.len() } else { all.partition_point(|p| p.0 < theta) };
+            all.insert(place, (theta, value));
+        }
         all
     }
 
