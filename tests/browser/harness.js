@@ -1,56 +1,11 @@
-// Opens the packed page in a real browser, and fails a test for whatever the page does behind its back:
+// Opens the packed page for a test, and fails the test for whatever the page does behind its back:
 // an uncaught error, an error on the console, a breach of its own policy, a request to another host.
 import assert from "node:assert/strict";
-import { existsSync } from "node:fs";
-import path from "node:path";
 import { after } from "node:test";
-import { chromium } from "playwright-core";
-import { startSite } from "./site.js";
+import { drawn, launchBrowser, startDist } from "./browser.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").BrowserContextOptions} ContextOptions */
-
-export const root = path.resolve(import.meta.dirname, "../..");
-
-/** Deep on purpose: every address in the page has to be relative. */
-const PREFIX = "/some/where/levalab/";
-
-/** For closed networks, no GPU and no display. */
-const FLAGS = [
-  "--headless",
-  "--no-sandbox",
-  "--disable-gpu",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-];
-
-/** Where Chromium's relatives live when LEVALAB_BROWSER does not say. */
-const PLACES = [
-  "/usr/bin/chromium",
-  "/usr/bin/chromium-browser",
-  "/usr/bin/google-chrome",
-  "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
-  "C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe",
-  "C:\\Program Files (x86)\\Microsoft\\Edge\\Application\\msedge.exe",
-];
-
-/** @param {string[]} [flags] further flags */
-export function launchBrowser(flags = []) {
-  const executablePath = process.env.LEVALAB_BROWSER ?? PLACES.find((place) => existsSync(place));
-  assert(executablePath, "no browser found: name its program in LEVALAB_BROWSER");
-  return chromium.launch({ executablePath, args: [...FLAGS, ...flags] });
-}
-
-/** Serves `dist/` below a deep path. @param {Record<string, string>} [mounts] further folders */
-export async function startDist(mounts = {}) {
-  const dist = path.join(root, "dist");
-  assert(existsSync(path.join(dist, "index.html")), "dist/ is missing: run `cargo xtask dist`");
-  const site = await startSite({ [PREFIX]: dist, ...mounts });
-  return { ...site, url: site.origin + PREFIX };
-}
 
 /** @type {Promise<Awaited<ReturnType<typeof startDist>>> | undefined} */
 let sharedSite;
@@ -80,14 +35,13 @@ export async function openPage(t, { url, fragment = "", ready = true, ...options
     await context.close();
     assert.deepEqual(complaints, [], "the page misbehaved");
   });
-  await page.goto(address + (fragment && `#${fragment}`));
-  if (ready) await drawn(page);
+  try {
+    await page.goto(address + (fragment && `#${fragment}`));
+    if (ready) await drawn(page);
+  } catch (cause) {
+    throw new Error(["the page did not draw", ...complaints].join("\n"), { cause });
+  }
   return { page, url: address, complaints };
-}
-
-/** Waits for the first complete drawing. @param {Page} page */
-export async function drawn(page) {
-  await page.waitForFunction(() => performance.getEntriesByName("levalab:drawn").length > 0);
 }
 
 /**

@@ -5,7 +5,8 @@ import { once } from "node:events";
 import { connect } from "node:net";
 import { createInterface } from "node:readline";
 import { after, before, test } from "node:test";
-import { openPage, root } from "../browser/harness.js";
+import { root } from "../browser/browser.js";
+import { openPage } from "../browser/harness.js";
 
 const xtask = process.env.LEVALAB_XTASK;
 assert(xtask, "LEVALAB_XTASK names the built xtask: run `cargo xtask test serve`");

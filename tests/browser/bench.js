@@ -1,0 +1,227 @@
+// The page's speed, beside its goals: `cargo xtask bench --page`. Timings swing from run to run, so nothing fails here.
+import os from "node:os";
+import path from "node:path";
+import { drawn, launchBrowser, root, startDist } from "./browser.js";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const SECONDS = 5;
+const EDITS = 10_000;
+const MEGABIT = 1e6 / 8;
+
+/** A slow mobile network and a cheap phone. */
+const THROTTLED = { latency: 150, downloadThroughput: 1.6 * MEGABIT, uploadThroughput: 0.75 * MEGABIT, offline: false, cpu: 4 };
+
+const site = await startDist({
+  "/reference/": path.join(root, "tests/browser/reference"),
+  "/pkg/": path.join(root, "web/pkg"),
+  "/uplot/": path.join(root, "node_modules/uplot/dist"),
+});
+const browser = await launchBrowser(["--enable-precise-memory-info"]);
+/** @type {[what: string, found: string, goal: string][]} */
+const table = [];
+
+try {
+  await measureLoading();
+  await measureAnimation();
+  await measureEdits(1);
+  await measureEdits(THROTTLED.cpu);
+  await measureMemory();
+  await measureReference();
+} finally {
+  await browser.close();
+  site.close();
+}
+console.log(`${os.cpus()[0].model}, ${os.cpus().length} cores, ${os.platform()} ${os.arch()}, Chromium ${browser.version()}, Node ${process.version}\n`);
+const width = (/** @type {number} */ column) => Math.max(...table.map((row) => row[column].length));
+for (const [what, found, goal] of table) console.log(`${what.padEnd(width(0))}  ${found.padStart(width(1))}  ${goal}`);
+
+/** From the click on a link to the first complete drawing, nothing cached. */
+async function measureLoading() {
+  for (const [what, goal, throttle] of /** @type {const} */ ([
+    ["navigation → charts drawn", "≤ 250 ms", false],
+    ["navigation → charts drawn, slow 4G and CPU 4×", "≤ 1,200 ms", true],
+  ])) {
+    const times = [];
+    for (let run = 0; run < 7; run++) {
+      const { page, close } = await open(throttle ? THROTTLED : undefined);
+      times.push(await page.evaluate(() => performance.getEntriesByName("levalab:drawn")[0].startTime));
+      await close();
+    }
+    table.push([what, milliseconds(median(times)), goal]);
+  }
+}
+
+/** The page as it opens: turning. */
+async function measureAnimation() {
+  const { page, close } = await open();
+  await observe(page, "levalab:frame");
+  await page.waitForTimeout(SECONDS * 1000);
+  const { script } = await observed(page);
+  table.push(["animation frame, script, median", milliseconds(median(script)), "≤ 1 ms"]);
+  table.push(["animation frame, script, p95", milliseconds(p95(script)), ""]);
+  table.push([`animation frames in ${SECONDS} s`, String(script.length), `${SECONDS * 60} at 60 Hz`]);
+  await close();
+}
+
+/** The label of a number dragged to and fro. @param {number} cpu how many times slower */
+async function measureEdits(cpu) {
+  const { page, close } = await open();
+  await pause(page);
+  const session = await page.context().newCDPSession(page);
+  await session.send("Emulation.setCPUThrottlingRate", { rate: cpu });
+  const box = await page.locator("#design .scrub").first().boundingBox();
+  if (!box) throw new Error("no number with a label to drag");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 8, y);
+  await observe(page, "levalab:edit");
+  const end = performance.now() + SECONDS * 1000;
+  for (let step = 0; performance.now() < end; step++) await page.mouse.move(x + 60 + 50 * Math.sin(step / 20), y);
+  const { script, frames } = await observed(page);
+  await page.mouse.up();
+  const suffix = cpu > 1 ? `, CPU ${cpu}×` : "";
+  table.push([`edit → everything redrawn, script, median${suffix}`, milliseconds(median(script)), cpu > 1 ? "" : "≤ 2 ms"]);
+  table.push([`edit → everything redrawn, script, p95${suffix}`, milliseconds(p95(script)), cpu > 1 ? "" : "≤ 4 ms"]);
+  const late = frames.filter((time) => time > 20).length;
+  table.push([`frames > 20 ms of ${frames.length} in a ${SECONDS} s drag${suffix}`, String(late), cpu > 1 ? "" : "0"]);
+  await close();
+}
+
+/** Many edits, each an undo step, then what is left after collecting the garbage. */
+async function measureMemory() {
+  const { page, close } = await open();
+  await pause(page);
+  const session = await page.context().newCDPSession(page);
+  await edit(page, 2000);
+  const before = await memory(session);
+  await edit(page, EDITS);
+  const after = await memory(session);
+  const change = (/** @type {"heap" | "wasm"} */ kind) => `${((after[kind] - before[kind]) / 1e6).toFixed(2)} MB`;
+  table.push([`memory after ${EDITS} edits, JavaScript (of ${(after.heap / 1e6).toFixed(1)} MB)`, change("heap"), "no growth"]);
+  table.push([`memory after ${EDITS} edits, wasm (of ${(after.wasm / 1e6).toFixed(1)} MB)`, change("wasm"), "no growth"]);
+  await close();
+}
+
+/** What a bare page takes for the same drawing and the analysis alone. */
+async function measureReference() {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(`${site.origin}/reference/`);
+  const times = await page.evaluate(async () => {
+    const name = "/reference/reference.js";
+    const reference = await import(name);
+    return { ...(await reference.analysis()), ours: await reference.ourCharts(), uplot: await reference.uplotCharts() };
+  });
+  const micro = (/** @type {number} */ time) => `${(time * 1000).toFixed(1)} µs`;
+  table.push(["wasm: analysis of 721 stations, verdict and report", micro(times.open), "≤ 50 µs"]);
+  table.push(["wasm: a station of it", `${((times.open * 1e6) / 721).toFixed(1)} ns`, ""]);
+  table.push(["wasm: the twelve columns copied out", micro(times.columns), ""]);
+  table.push(["wasm: analysis ÷ 721 sines in JavaScript", (times.open / times.reference).toFixed(1), ""]);
+  table.push(["four charts of 721 points, ours", milliseconds(times.ours), ""]);
+  table.push(["four charts of 721 points, uPlot", milliseconds(times.uplot), "the reference"]);
+  await context.close();
+}
+
+/** A fresh profile with the page drawn. @param {typeof THROTTLED} [throttle] */
+async function open(throttle) {
+  const context = await browser.newContext({ viewport: { width: 1366, height: 768 } });
+  const page = await context.newPage();
+  if (throttle) {
+    const { cpu, ...network } = throttle;
+    const session = await context.newCDPSession(page);
+    await session.send("Network.enable");
+    await session.send("Network.emulateNetworkConditions", network);
+    await session.send("Emulation.setCPUThrottlingRate", { rate: cpu });
+  }
+  await page.goto(site.url);
+  await drawn(page);
+  return { page, close: () => context.close() };
+}
+
+/** Stops the animation, so that edits are all that happens. @param {Page} page */
+async function pause(page) {
+  await page.locator("#mechanism canvas").first().focus();
+  await page.keyboard.press("Space");
+  await page.waitForTimeout(300);
+}
+
+/** Collects the page's own measures and the time between frames. @param {Page} page @param {string} name */
+async function observe(page, name) {
+  await page.evaluate((name) => {
+    /** @type {{ script: number[], frames: number[] }} */
+    const kept = { script: [], frames: [] };
+    Object.assign(window, { kept });
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntriesByName(name)) {
+        const { detail } = /** @type {PerformanceMeasure} */ (entry);
+        // An edit lasts until the frame that shows it; its script time is told apart.
+        kept.script.push(detail?.script ?? entry.duration);
+      }
+    }).observe({ type: "measure" });
+    let last = performance.now();
+    requestAnimationFrame(function frame(now) {
+      kept.frames.push(now - last);
+      last = now;
+      requestAnimationFrame(frame);
+    });
+  }, name);
+}
+
+/** @param {Page} page @returns {Promise<{ script: number[], frames: number[] }>} */
+function observed(page) {
+  return page.evaluate(() => /** @type {any} */ (window).kept);
+}
+
+/** Edits by keys, several a frame. @param {Page} page @param {number} count */
+async function edit(page, count) {
+  await page.evaluate(async (count) => {
+    const input = /** @type {HTMLInputElement | null} */ (document.querySelector("#design input.number"));
+    if (!input) throw new Error("no number field");
+    const press = (/** @type {string} */ key) => input.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+    input.focus();
+    for (let done = 0; done < count; done++) {
+      press("Enter");
+      press(done % 2 ? "ArrowDown" : "ArrowUp");
+      if (done % 10 === 9) await new Promise(requestAnimationFrame);
+    }
+    input.blur();
+  }, count);
+}
+
+/** Bytes in use. @param {import("playwright-core").CDPSession} session */
+async function memory(session) {
+  await session.send("HeapProfiler.enable");
+  for (let round = 0; round < 3; round++) await session.send("HeapProfiler.collectGarbage");
+  const { usedSize } = await session.send("Runtime.getHeapUsage");
+  const prototype = await session.send("Runtime.evaluate", { expression: "WebAssembly.Memory.prototype" });
+  const { objects } = await session.send("Runtime.queryObjects", { prototypeObjectId: prototype.result.objectId ?? "" });
+  const sum = await session.send("Runtime.callFunctionOn", {
+    objectId: objects.objectId,
+    functionDeclaration: "function () { return this.reduce((sum, memory) => sum + memory.buffer.byteLength, 0); }",
+    returnByValue: true,
+  });
+  return { heap: usedSize, wasm: Number(sum.result.value) };
+}
+
+/** @param {number[]} values @param {number} share */
+function quantile(values, share) {
+  if (values.length === 0) return Number.NaN;
+  return values.toSorted((a, b) => a - b)[Math.min(values.length - 1, Math.floor(values.length * share))];
+}
+
+/** @param {number[]} values */
+function median(values) {
+  return quantile(values, 0.5);
+}
+
+/** @param {number[]} values */
+function p95(values) {
+  return quantile(values, 0.95);
+}
+
+/** @param {number} value */
+function milliseconds(value) {
+  return `${value.toFixed(value < 100 ? 2 : 0)} ms`;
+}

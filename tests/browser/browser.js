@@ -1,0 +1,58 @@
+// A real browser with the packed page in it.
+import assert from "node:assert/strict";
+import { existsSync } from "node:fs";
+import path from "node:path";
+import { chromium } from "playwright-core";
+import { startSite } from "./site.js";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+export const root = path.resolve(import.meta.dirname, "../..");
+
+/** Deep on purpose: every address in the page has to be relative. */
+const PREFIX = "/some/where/levalab/";
+
+/** For closed networks, no GPU and no display. */
+const FLAGS = [
+  "--headless",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/** For the first drawing, ms: a loaded machine is no failure, a page that never draws should not hold up the others. */
+const PATIENCE = 15_000;
+
+/** Where Chromium's relatives live when LEVALAB_BROWSER does not say. */
+const PLACES = [
+  "/usr/bin/chromium",
+  "/usr/bin/chromium-browser",
+  "/usr/bin/google-chrome",
+  "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
+  "C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe",
+  "C:\\Program Files (x86)\\Microsoft\\Edge\\Application\\msedge.exe",
+];
+
+/** @param {string[]} [flags] further flags */
+export function launchBrowser(flags = []) {
+  const executablePath = process.env.LEVALAB_BROWSER ?? PLACES.find((place) => existsSync(place));
+  assert(executablePath, "no browser found: name its program in LEVALAB_BROWSER");
+  return chromium.launch({ executablePath, args: [...FLAGS, ...flags] });
+}
+
+/** Serves `dist/` below a deep path. @param {Record<string, string>} [mounts] further folders */
+export async function startDist(mounts = {}) {
+  const dist = path.join(root, "dist");
+  assert(existsSync(path.join(dist, "index.html")), "dist/ is missing: run `cargo xtask dist`");
+  const site = await startSite({ [PREFIX]: dist, ...mounts });
+  return { ...site, url: site.origin + PREFIX };
+}
+
+/** Waits for the first complete drawing. @param {Page} page */
+export async function drawn(page) {
+  await page.waitForFunction(() => performance.getEntriesByName("levalab:drawn").length > 0, undefined, { timeout: PATIENCE });
+}
