@@ -42,9 +42,18 @@ const ROUNDING: f64 = 1e-12;
 
 /// Extremes of a quantity over the turn.
 pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extremes {
-    let (low, high) = bounds(samples.grid(quantity), bounds(samples.own(quantity), NOTHING));
-    let (max, max_at) = greatest(cam, samples, quantity, 1.0, (low, high));
-    let (min, min_at) = greatest(cam, samples, quantity, -1.0, (-high, -low));
+    let (grid, own) = (samples.grid(quantity), samples.own(quantity));
+    let of_each: Vec<(f64, f64)> =
+        samples.spans.iter().map(|span| bounds(&own[span.own.clone()], bounds(&grid[span.grid.clone()], NOTHING))).collect();
+    let (low, high) = of_each.iter().fold(NOTHING, |all, each| (all.0.min(each.0), all.1.max(each.1)));
+    if high - low <= ROUNDING * high.abs().max(low.abs()) {
+        return Extremes { min: low, min_at: 0.0, max: high, max_at: 0.0 };
+    }
+    let above = |limit: f64| (0..of_each.len()).filter(|&k| of_each[k].1 >= limit).collect::<Vec<usize>>();
+    let below = |limit: f64| (0..of_each.len()).filter(|&k| of_each[k].0 <= limit).collect::<Vec<usize>>();
+    let slack = SLACK * (high - low);
+    let (max, max_at) = greatest(cam, samples, quantity, 1.0, (low, high), &above(high - slack));
+    let (min, min_at) = greatest(cam, samples, quantity, -1.0, (-high, -low), &below(low + slack));
     Extremes { min: -min, min_at, max, max_at }
 }
 
@@ -77,21 +86,22 @@ struct Bump {
     promise: f64,
 }
 
-/// The greatest value of `sign`·quantity, and where; `low` and `high` bound the samples of it.
-fn greatest(cam: &Cam, samples: &Samples, quantity: Quantity, sign: f64, (low, high): (f64, f64)) -> (f64, f64) {
+/// The greatest value of `sign`·quantity, and where; `low` and `high` bound its samples, and only `worthy` stretches come near
+/// `high`.
+fn greatest(
+    cam: &Cam,
+    samples: &Samples,
+    quantity: Quantity,
+    sign: f64,
+    (low, high): (f64, f64),
+    worthy: &[usize],
+) -> (f64, f64) {
     let range = high - low;
-    if range <= ROUNDING * high.abs().max(low.abs()) {
-        return (high, 0.0);
-    }
     let (worth_a_look, as_good) = (high - SLACK * range, high - ROUNDING * range);
     let mut best: Option<(f64, f64)> = None;
     let mut bumps: Vec<Bump> = Vec::new();
-    for (stretch, span) in samples.spans.iter().enumerate() {
-        let (grid, own) = (&samples.grid(quantity)[span.grid.clone()], &samples.own(quantity)[span.own.clone()]);
-        let (lowest, highest) = bounds(own, bounds(grid, NOTHING));
-        if (if sign > 0.0 { highest } else { -lowest }) < worth_a_look {
-            continue;
-        }
+    for &stretch in worthy {
+        let span = &samples.spans[stretch];
         let along = samples.along(span, quantity);
         let mut before = (f64::NAN, f64::NEG_INFINITY);
         for (i, &(theta, value)) in along.iter().enumerate() {
