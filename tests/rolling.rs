@@ -6,9 +6,10 @@
 
 mod support;
 
-use levalab_core::{Analysis, Cam, FOLLOWERS, Follower, Point, Program, Rotation};
+use levalab_core::{Analysis, Cam, FOLLOWERS, Follower, Point, Rotation};
 use std::f64::consts::TAU;
-use support::{ROTATIONS, assert_profile_is_sound, degrees, follower, lengths, profile};
+use support::gallery::gallery_of;
+use support::profile;
 
 /// Steps of the profile polygon: an interpolated summit of 1/20° is then exact to well below [`RECOVERY`].
 const STEPS: usize = 7200;
@@ -18,52 +19,6 @@ const RECOVERY: f64 = 1e-6;
 
 /// Cam positions tried in a turn. A prime: it shares no factor with the steps, so the contact falls between polygon points.
 const POSITIONS: usize = 61;
-
-type Parameters = &'static [(&'static str, f64)];
-
-/// Base radius and parameters to try for each follower.
-fn geometries(id: &str) -> &'static [(f64, Parameters)] {
-    match id {
-        "translating-roller" => &[
-            (40.0, &[("roller_radius", 10.0)]),
-            (45.0, &[("roller_radius", 8.0), ("eccentricity", 9.0)]),
-            (45.0, &[("roller_radius", 30.0), ("eccentricity", -12.0)]),
-        ],
-        "translating-knife" => &[(60.0, &[]), (60.0, &[("eccentricity", 8.0)]), (60.0, &[("eccentricity", -8.0)])],
-        "translating-curved" => &[
-            (50.0, &[("face_radius", 60.0)]),
-            (60.0, &[("face_radius", 90.0), ("eccentricity", 15.0)]),
-            (60.0, &[("face_radius", 90.0), ("eccentricity", -15.0)]),
-        ],
-        "translating-flat" => &[(120.0, &[]), (120.0, &[("face_angle", 0.3)]), (120.0, &[("face_angle", -0.25)])],
-        "oscillating-roller" => &[
-            (50.0, &[("roller_radius", 10.0), ("arm", 70.0), ("pivot_distance", 90.0)]),
-            (50.0, &[("roller_radius", 15.0), ("arm", 80.0), ("pivot_distance", 80.0), ("pivot_angle", 0.5)]),
-            (50.0, &[("roller_radius", 10.0), ("arm", 90.0), ("pivot_distance", 100.0), ("pivot_angle", -0.7)]),
-        ],
-        "oscillating-flat" => &[
-            (100.0, &[("pivot_distance", 130.0)]),
-            (110.0, &[("pivot_distance", 150.0), ("face_offset", 8.0)]),
-            (100.0, &[("pivot_distance", 140.0), ("face_offset", -12.0), ("pivot_angle", 0.6)]),
-            (100.0, &[("pivot_distance", 130.0), ("pivot_angle", -0.8)]),
-        ],
-        other => panic!("no geometry to lay {other} with: give it one here, and a way to be lowered in `resting_height`"),
-    }
-}
-
-/// Programs of different laws, gentle enough for every geometry above. Unit: a millimetre, or half a degree.
-fn programs(id: &str) -> [Program; 4] {
-    let rows: [&[(&str, f64, f64)]; 4] = [
-        &[("cycloidal", 110.0, 12.0), ("dwell", 50.0, 0.0), ("polynomial-3-4-5", 130.0, -12.0), ("dwell", 70.0, 0.0)],
-        &[("simple-harmonic", 170.0, 14.0), ("simple-harmonic", 190.0, -14.0)],
-        &[("modified-sine", 100.0, 6.0), ("double-harmonic", 100.0, 6.0), ("dwell", 20.0, 0.0), ("modified-trapezoidal", 140.0, -12.0)],
-        &[("dwell", 60.0, 0.0), ("parabolic", 120.0, 10.0), ("polynomial-5", 40.0, 1.0), ("cubic-2", 140.0, -11.0)],
-    ];
-    rows.map(|rows| {
-        let half_degrees: Vec<_> = rows.iter().map(|&(law, beta, rise)| (law, beta, rise / 2.0)).collect();
-        if id.starts_with("oscillating") { degrees(&half_degrees) } else { lengths(rows) }
-    })
-}
 
 /// How high the follower rests on a closed polygon of profile points (fixed frame), counted along its path: a length from the
 /// level of the cam's centre, or an angle from the line of centres. A follower rests as high as the highest point lifts it.
@@ -175,16 +130,9 @@ fn worst_recovery(cam: &Cam) -> (f64, f64) {
 }
 
 fn assert_motion_is_recovered(id: &str) {
-    for (which, program) in programs(id).iter().enumerate() {
-        for &(base_radius, parameters) in geometries(id) {
-            for rotation in ROTATIONS {
-                let cam = Cam::new(program.clone(), follower(id, base_radius, parameters, rotation));
-                let name = format!("{id} {parameters:?}, program {which}, {rotation:?}");
-                assert_profile_is_sound(&cam, &name);
-                let (miss, theta) = worst_recovery(&cam);
-                assert!(miss < RECOVERY, "{name}: off by {miss:e} of the lift at θ = {:.3}°", theta.to_degrees());
-            }
-        }
+    for (name, cam) in gallery_of(id) {
+        let (miss, theta) = worst_recovery(&cam);
+        assert!(miss < RECOVERY, "{name}: off by {miss:e} of the lift at θ = {:.3}°", theta.to_degrees());
     }
 }
 
@@ -221,18 +169,16 @@ fn an_oscillating_flat_face_recovers_its_motion() {
 #[test]
 fn every_follower_can_be_laid_over_its_profile() {
     for kind in FOLLOWERS {
-        let (base_radius, parameters) = geometries(kind.id)[0];
-        let cam = Cam::new(programs(kind.id)[0].clone(), follower(kind.id, base_radius, parameters, Rotation::default()));
-        assert!(worst_recovery(&cam).0 < RECOVERY, "{}", kind.id);
+        let (name, cam) = gallery_of(kind.id).swap_remove(0);
+        assert!(worst_recovery(&cam).0 < RECOVERY, "{name}");
     }
 }
 
 #[test]
 fn a_profile_that_is_a_little_wrong_is_noticed() {
-    let (base_radius, parameters) = geometries("translating-roller")[0];
-    let cam = Cam::new(programs("translating-roller")[0].clone(), follower("translating-roller", base_radius, parameters, Rotation::default()));
+    let (_, cam) = gallery_of("translating-roller").swap_remove(0);
     let swollen: Vec<Point> = polygon(&cam).iter().map(|point| point * (1.0 + 1e-5)).collect();
-    let rest = resting_height(&cam.follower, &base_circle(base_radius));
+    let rest = resting_height(&cam.follower, &base_circle(cam.follower.base_radius));
     let found = resting_height(&cam.follower, &turned(&swollen, cam.follower.rotation, 2.0)) - rest;
     assert!((found - cam.program.at(2.0).s).abs() > RECOVERY * 12.0, "the test would see an error of a hundred-thousandth");
 }

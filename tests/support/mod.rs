@@ -3,6 +3,8 @@
 // Each test target compiles this module for itself and uses its own part of it.
 #![allow(dead_code)]
 
+pub mod gallery;
+
 use levalab_core::{Analysis, Cam, Column, Finding, FindingKind, Follower, FollowerKind, Point, Program, Rotation, Segment};
 
 /// Both senses of rotation.
