@@ -46,11 +46,11 @@ export function s(tag, attributes = {}, ...children) {
 }
 
 /**
- * A symbol as in the books: italic letter, upright index. "R_b" gives R with b below.
+ * A symbol as in the books: italic letter, upright index. "Rb" and "R_b" give R with b below.
  * @param {string} symbol
  */
 export function symbol(symbol) {
-  const [letter = "", index] = symbol.split("_");
+  const [, letter = symbol, index = ""] = /^(.)_?(.*)$/u.exec(symbol) ?? [];
   const node = h("i", { class: "symbol" }, letter);
   if (index) node.append(h("sub", {}, index));
   return node;

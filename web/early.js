@@ -1,14 +1,14 @@
 /* Before the first paint: theme and language as they were left, so that nothing flashes. A classic script on purpose. */
-(function () {
-  var root = document.documentElement;
-  var kept = {};
-  try {
-    kept = JSON.parse(localStorage.getItem("levalab:view") || "{}") || {};
-  } catch (error) {
-    kept = {};
-  }
-  var dark = kept.theme === "dark" || (kept.theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
-  root.dataset.theme = dark ? "dark" : "light";
-  var spanish = /^es\b/i.test(kept.language || (navigator.languages && navigator.languages[0]) || navigator.language || "");
-  root.lang = spanish ? "es" : "en";
-})();
+{
+  const view = () => {
+    try {
+      return JSON.parse(localStorage.getItem("levalab:view") ?? "{}") ?? {};
+    } catch {
+      return {};
+    }
+  };
+  const { theme, language = navigator.language } = view();
+  const dark = theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
+  document.documentElement.lang = /^es\b/i.test(String(language)) ? "es" : "en";
+}

@@ -41,9 +41,13 @@ export function mount(root, context, engine) {
   root.append(
     texts.attribute(h("h1", {}, "LevaLab"), "title", "app.tagline"),
     title.input,
-    createExamples(context, texts),
-    h("div", { class: "group" }, history.undo, history.redo),
-    h("div", { class: "group" }, share.root, ...files),
+    h(
+      "div",
+      { class: "tools" },
+      createExamples(context, texts),
+      h("div", { class: "group" }, history.undo, history.redo),
+      h("div", { class: "group" }, share.root, ...files),
+    ),
     h("div", { class: "group end" }, languages.root, theme.button, projector, help.button),
     help.dialog,
   );

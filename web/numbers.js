@@ -118,7 +118,7 @@ export function createFormat(language) {
       compose(value, unit, (size, sign) => {
         if (size === 0) return "0";
         if (size < SMALL || size >= LARGE) return powerOfTen(size, SIGNIFICANT, sign);
-        const whole = Math.floor(Math.log10(size)) + 1;
+        const whole = Math.floor(Math.log10(Number(size.toPrecision(SIGNIFICANT)))) + 1;
         const text = size.toFixed(Math.max(0, SIGNIFICANT - Math.max(whole, size < 1 ? whole : 1)));
         return group(trim && text.includes(".") ? text.replace(/\.?0+$/, "") : text, sign);
       }),

@@ -44,7 +44,7 @@ export function mount(root, context) {
   let timer = 0;
 
   root.setAttribute("aria-labelledby", heading.id);
-  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline), figures.root), list, more);
+  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline)), figures.root, list, more);
   texts.attribute(list, "aria-label", "verdict.findings");
   more.addEventListener("click", () => {
     open = !open;
@@ -150,8 +150,8 @@ export function mount(root, context) {
  */
 function keepOverhang(root) {
   const line = root.querySelector(".verdict-line");
-  if (!line) return;
+  if (!(line instanceof HTMLElement)) return;
   new ResizeObserver(() => {
-    root.style.setProperty("--overhang", `${Math.min(0, line.getBoundingClientRect().height - root.offsetHeight)}px`);
+    root.style.setProperty("--overhang", `${Math.min(0, line.offsetTop + line.offsetHeight - root.offsetHeight)}px`);
   }).observe(root);
 }

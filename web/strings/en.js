@@ -1,14 +1,8 @@
 /** English. Symbols, units and ids are not translated. */
 export const en = {
-  "language.en": "English",
-  "language.es": "Spanish",
 
   "app.tagline": "Plate cams, designed, analysed and seen turning",
   "app.design": "Design",
-  "app.mechanism": "Mechanism",
-  "app.transport": "Animation",
-  "app.diagrams": "Diagrams",
-  "app.readouts": "Values at the cursor",
   "app.verdict": "Verdict",
   "app.untitled": "Untitled cam",
 
@@ -22,7 +16,6 @@ export const en = {
 
   "header.title": "Title of the design",
   "header.examples": "Examples",
-  "header.examples.choose": "Open an example…",
   "header.undo": "Undo",
   "header.undo.what": "Undo: {what}",
   "header.redo": "Redo",
@@ -76,9 +69,8 @@ export const en = {
   "design.rotation": "Rotation",
   "rotation.counterclockwise": "Counter-clockwise",
   "rotation.clockwise": "Clockwise",
-  "design.length-unit": "Lengths in",
+  "design.length-unit": "Unit",
   "design.length-unit.hint": "Unit of every length. It is a label: the numbers stay.",
-  "design.speed": "Speed",
   "design.speed-unit": "Unit of speed",
 
   "follower.translating-roller": "Translating roller",

@@ -1,14 +1,8 @@
 /** Español. Los símbolos, las unidades y los identificadores no se traducen. */
 export const es = {
-  "language.en": "inglés",
-  "language.es": "español",
 
   "app.tagline": "Levas de placa: se diseñan, se analizan y se ven girar",
   "app.design": "Diseño",
-  "app.mechanism": "Mecanismo",
-  "app.transport": "Animación",
-  "app.diagrams": "Diagramas",
-  "app.readouts": "Valores en el cursor",
   "app.verdict": "Dictamen",
   "app.untitled": "Leva sin título",
 
@@ -22,7 +16,6 @@ export const es = {
 
   "header.title": "Título del diseño",
   "header.examples": "Ejemplos",
-  "header.examples.choose": "Abrir un ejemplo…",
   "header.undo": "Deshacer",
   "header.undo.what": "Deshacer: {what}",
   "header.redo": "Rehacer",
@@ -76,9 +69,8 @@ export const es = {
   "design.rotation": "Giro",
   "rotation.counterclockwise": "Antihorario",
   "rotation.clockwise": "Horario",
-  "design.length-unit": "Longitudes en",
+  "design.length-unit": "Unidad",
   "design.length-unit.hint": "Unidad de todas las longitudes. Es un rótulo: los números no cambian.",
-  "design.speed": "Velocidad",
   "design.speed-unit": "Unidad de la velocidad",
 
   "follower.translating-roller": "De traslación con rodillo",

@@ -1,0 +1,77 @@
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { en } from "./en.js";
+import { es } from "./es.js";
+import { createTranslate, firstLanguage } from "./index.js";
+import { stageEn } from "./stage.en.js";
+import { stageEs } from "./stage.es.js";
+
+const english = { ...en, ...stageEn };
+const spanish = { ...es, ...stageEs };
+const web = fileURLToPath(new URL("..", import.meta.url));
+
+/** Every script of the page but the strings themselves and the tests, as one text. */
+const source = readdirSync(web, { recursive: true, encoding: "utf8" })
+  .filter((name) => name.endsWith(".js") && !/^(pkg|strings)\b|\.test\.js$/.test(name))
+  .map((name) => readFileSync(join(web, name), "utf8"))
+  .join("\n");
+
+/** Keys that are put together, `law.${id}`: their beginnings. */
+const prefixes = [...source.matchAll(/`([a-z]+(?:[.-][a-z-]+)*[.-])\$\{/g)].map(([, prefix]) => prefix ?? "");
+
+/** @param {string} key */
+const isUsed = (key) => source.includes(`"${key}"`) || prefixes.some((prefix) => key.startsWith(prefix));
+
+/** @param {string | { one: string, other: string }} phrase */
+const forms = (phrase) => (typeof phrase === "string" ? [phrase] : [phrase.one, phrase.other]);
+
+/** @param {string} text */
+const names = (text) => [...new Set([...text.matchAll(/\{(\w+)\}/g)].map(([, name]) => name))].sort();
+
+test("both languages have the same keys", () => {
+  assert.deepEqual(Object.keys(spanish).sort(), Object.keys(english).sort());
+});
+
+test("every sentence takes the same values in both languages", () => {
+  for (const [key, phrase] of Object.entries(english)) {
+    const other = /** @type {Record<string, string | { one: string, other: string }>} */ (spanish)[key] ?? "";
+    const values = (/** @type {typeof phrase} */ sentence) => [...new Set(forms(sentence).flatMap(names))].sort();
+    assert.deepEqual(values(other), values(phrase), key);
+    assert.equal(typeof other, typeof phrase, `${key}: plural in one language only`);
+  }
+});
+
+test("no sentence is empty, and none carries spaces at its ends", () => {
+  for (const [key, phrase] of [...Object.entries(english), ...Object.entries(spanish)]) {
+    for (const text of forms(phrase)) assert.ok(text !== "" && text.trim() === text, key);
+  }
+});
+
+test("no key is unused", () => {
+  assert.deepEqual(Object.keys(english).filter((key) => !isUsed(key)), []);
+});
+
+test("no key is asked for that is missing", () => {
+  const asked = [...source.matchAll(/(?:\bt|\.text|\.attribute|\bfix|banner\.show)\((?:[^()"]|\([^()]*\))*?"([a-z]+\.[\w.-]+)"/g)].map(([, key]) => key ?? "");
+  assert.ok(asked.length > 50, "the search finds the calls");
+  assert.deepEqual(asked.filter((key) => !(key in english)), []);
+});
+
+test("plurals agree in number", () => {
+  const t = createTranslate(() => "es");
+  assert.equal(t("verdict.more", { count: 1 }), "1 observación más");
+  assert.equal(t("verdict.more", { count: 4 }), "4 observaciones más");
+});
+
+test("a law newer than the strings goes by its id", () => {
+  assert.equal(createTranslate(() => "en")("law.triple-harmonic"), "triple harmonic");
+});
+
+test("the language follows the browser at first", () => {
+  assert.equal(firstLanguage(["es-MX", "en"]), "es");
+  assert.equal(firstLanguage(["fr", "es"]), "es");
+  assert.equal(firstLanguage(["de-AT"]), "en");
+});
