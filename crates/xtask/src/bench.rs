@@ -21,11 +21,9 @@ pub fn run(options: &Options) -> Result<()> {
         process::run(&mut process::cargo(["bench", "--package", "levalab-core"]))?;
     }
     if !options.core {
-        let packed = dist::pack()?;
+        dist::pack()?;
         let mut command = process::node([project::path("tests/browser/bench.js")]);
-        command
-            .env("LEVALAB_BROWSER", setup::browser()?)
-            .env("LEVALAB_MODULE", packed.join(dist::MODULE));
+        command.env("LEVALAB_BROWSER", setup::browser()?);
         process::run(&mut command)?;
     }
     Ok(())

@@ -1,5 +1,5 @@
 // Joins and minifies the page's modules and styles: `node bundle.js '{"out": …, "modules": […], "scripts": […], "styles": […]}'`.
-// Prints, for each file written, which others it needs at once: [{"file": …, "needs": […]}].
+// Prints which of the files written the modules need at once.
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { build } from "esbuild";
@@ -45,6 +45,8 @@ const built = await build({
   metafile: true,
   plugins: [ownAddress],
 });
+// The page imports the glue by its address, so that it can import it afresh: it stays a file of its own.
+await build({ ...common, entryPoints: ["web/pkg/levalab_wasm.js"], outdir: path.join(out, "pkg") });
 // A script in the head runs before anything is drawn and shares no names with the modules.
 await build({ ...common, entryPoints: scripts, entryNames: "[name]" });
 const sheet = styles.map(({ file, media }) => `@import "./${file}" ${media};`).join("\n");
@@ -55,8 +57,16 @@ await build({
   bundle: true,
 });
 
-const written = Object.entries(built.metafile.outputs).map(([file, { imports }]) => ({
-  file: path.relative(out, file),
-  needs: imports.filter(({ kind }) => kind === "import-statement").map((needed) => path.relative(out, needed.path)),
-}));
-console.log(JSON.stringify(written));
+/** The parts that the modules import at once, and those that these import. @type {Set<string>} */
+const parts = new Set();
+const { outputs } = built.metafile;
+/** @param {string} file */
+function follow(file) {
+  for (const needed of outputs[file].imports) {
+    if (needed.kind !== "import-statement" || parts.has(needed.path)) continue;
+    parts.add(needed.path);
+    follow(needed.path);
+  }
+}
+for (const [file, { entryPoint }] of Object.entries(outputs)) if (entryPoint && modules.includes(entryPoint)) follow(file);
+console.log(JSON.stringify([...parts].map((part) => path.relative(out, part))));

@@ -9,11 +9,12 @@ use std::{
 };
 
 use anyhow::{Context, Result, bail, ensure};
-use serde_json::{Value, json};
+use serde_json::json;
 use walkdir::WalkDir;
 
 use crate::{
     html::{self, Kind, Load},
+    page::{MODULE, Page},
     process::{self, told},
     project, setup,
     size::{Size, kilobytes},
@@ -25,9 +26,6 @@ const FIRST_LOAD_GOAL: usize = 150_000;
 
 /// Names of formats, which browsers compare but never visit.
 const NAMESPACE: &str = "http://www.w3.org/";
-
-/// The module's file, relative to the packed folder.
-pub const MODULE: &str = "pkg/levalab_wasm_bg.wasm";
 
 /// Packs the page and prints what it weighs.
 pub fn run() -> Result<()> {
@@ -61,23 +59,21 @@ fn write() -> Result<Packed> {
     fs::create_dir_all(&fresh)?;
     let html = fs::read_to_string(project::path("index.html")).context("index.html")?;
     let loads = html::loads(&html);
-    let needs = bundle(&fresh, &loads)?;
+    let parts = bundle(&fresh, &loads)?;
     copy_others(&fresh)?;
     let hash = content_hash(&fresh)?;
     let folder = dist.join(&hash);
     fs::rename(&fresh, &folder)?;
-    let page = Page {
-        hash: &hash,
-        needs: &needs,
-    };
-    fs::write(dist.join("index.html"), page.rewrite(&html, &loads))?;
-    let mut first = page.first(&loads);
-    first.insert(0, "index.html".to_owned());
-    Ok(Packed { folder, first })
+    let page = Page::new(&hash, &loads, &parts);
+    fs::write(dist.join("index.html"), page.rewrite(&html))?;
+    Ok(Packed {
+        folder,
+        first: page.first(),
+    })
 }
 
-/// Joins and minifies scripts and styles; gives, file by file, which others it needs at once.
-fn bundle(out: &Path, loads: &[Load]) -> Result<Value> {
+/// Joins and minifies scripts and styles; gives the files that the page needs at once beside those it names.
+fn bundle(out: &Path, loads: &[Load]) -> Result<Vec<String>> {
     let of_kind = |kind: &Kind| {
         loads
             .iter()
@@ -145,102 +141,6 @@ fn content_hash(folder: &Path) -> Result<String> {
         checksum.update(&fs::read(&file)?);
     }
     Ok(format!("{:08x}", checksum.sum()))
-}
-
-/// `index.html` and the packed folder it points into.
-struct Page<'a> {
-    hash: &'a str,
-    needs: &'a Value,
-}
-
-impl Page<'_> {
-    fn rewrite(&self, html: &str, loads: &[Load]) -> String {
-        let mut styled = false;
-        html::rewrite(html, loads, |load| match load.kind {
-            Kind::Style(_) if styled => String::new(),
-            Kind::Style(_) => {
-                styled = true;
-                format!("<link rel=\"stylesheet\" href=\"{}/style.css\">", self.hash)
-            }
-            Kind::Script => format!("<script src=\"{}\"></script>", self.packed(&load.file)),
-            Kind::Module => self.module(&load.file),
-            Kind::Hint => String::new(),
-            Kind::Other => load.tag.replace(&load.file, &self.kept(&load.file)),
-        })
-    }
-
-    /// The script, and hints to fetch all it needs at the same time, not one after the other.
-    fn module(&self, file: &str) -> String {
-        let hints = self
-            .needed(file)
-            .into_iter()
-            .map(|part| format!("<link rel=\"modulepreload\" href=\"{part}\">\n    "));
-        let wasm = format!(
-            "<link rel=\"preload\" href=\"{}/{MODULE}\" as=\"fetch\" type=\"application/wasm\" crossorigin>\n    ",
-            self.hash
-        );
-        let script = format!(
-            "<script type=\"module\" src=\"{}\"></script>",
-            self.packed(file)
-        );
-        hints.chain([wasm, script]).collect()
-    }
-
-    /// Scripts lie flat in the packed folder.
-    fn packed(&self, file: &str) -> String {
-        let name = Path::new(file).file_name().unwrap_or_default();
-        format!("{}/{}", self.hash, name.to_string_lossy())
-    }
-
-    /// Other files keep their place.
-    fn kept(&self, file: &str) -> String {
-        format!("{}/{}", self.hash, file.trim_start_matches("web/"))
-    }
-
-    /// The parts that a module imports at once, and those that these import.
-    fn needed(&self, file: &str) -> Vec<String> {
-        let mut needed = vec![self.packed(file)];
-        let mut next = 0;
-        while let Some(part) = needed.get(next) {
-            let written = self.needs.as_array().into_iter().flatten();
-            let entry = written.clone().find(|entry| {
-                entry["file"]
-                    .as_str()
-                    .is_some_and(|name| part.ends_with(name))
-            });
-            let parts = entry
-                .and_then(|entry| entry["needs"].as_array())
-                .into_iter()
-                .flatten()
-                .filter_map(Value::as_str);
-            for part in parts {
-                let part = format!("{}/{part}", self.hash);
-                if !needed.contains(&part) {
-                    needed.push(part);
-                }
-            }
-            next += 1;
-        }
-        needed.remove(0);
-        needed
-    }
-
-    fn first(&self, loads: &[Load]) -> Vec<String> {
-        let mut first = vec![format!("{}/style.css", self.hash)];
-        for load in loads {
-            match load.kind {
-                Kind::Script => first.push(self.packed(&load.file)),
-                Kind::Module => {
-                    first.push(self.packed(&load.file));
-                    first.extend(self.needed(&load.file));
-                }
-                Kind::Other => first.push(self.kept(&load.file)),
-                Kind::Style(_) | Kind::Hint => {}
-            }
-        }
-        first.push(format!("{}/{MODULE}", self.hash));
-        first
-    }
 }
 
 /// Nothing shipped may name another host.

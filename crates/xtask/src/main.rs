@@ -3,6 +3,7 @@
 mod bench;
 mod dist;
 mod html;
+mod page;
 mod process;
 mod project;
 mod serve;

@@ -3,6 +3,7 @@
 use std::{
     env, fs,
     path::{Path, PathBuf},
+    sync::OnceLock,
 };
 
 use anyhow::{Context, Result, bail};
@@ -19,6 +20,7 @@ pub const WASM: &str = "wasm32-unknown-unknown";
 const NODE: (u32, u32) = (20, 19);
 
 /// Which compiler builds for the page.
+#[derive(Clone)]
 pub enum WasmCompiler {
     /// The one that runs us: it has the target's standard library.
     Same,
@@ -29,8 +31,16 @@ pub enum WasmCompiler {
     },
 }
 
-/// Makes sure something here compiles for the page: as it is, by rustup, or by Debian's packages.
+/// Makes sure something here compiles for the page: as it is, by rustup, or by Debian's packages. Looked up once.
 pub fn wasm_compiler() -> Result<WasmCompiler> {
+    static FOUND: OnceLock<WasmCompiler> = OnceLock::new();
+    match FOUND.get() {
+        Some(found) => Ok(found.clone()),
+        None => find_wasm_compiler().map(|found| FOUND.get_or_init(|| found).clone()),
+    }
+}
+
+fn find_wasm_compiler() -> Result<WasmCompiler> {
     let sysroot = sysroot()?;
     let library = sysroot.join("lib/rustlib").join(WASM);
     if library.is_dir() {

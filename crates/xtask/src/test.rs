@@ -10,7 +10,7 @@ use std::{
 use anyhow::{Context, Result, anyhow, bail};
 
 use crate::{
-    dist,
+    dist, page,
     process::{self, cargo, node, seconds},
     project,
     setup::{self, WASM, WasmCompiler},
@@ -235,7 +235,7 @@ fn wasm_against_native(bench: &Bench) -> Result<()> {
     let mut command = node_test("tests/wasm/*.test.js")?;
     command
         .env("LEVALAB_CLI", levalab)
-        .env("LEVALAB_MODULE", packed.join(dist::MODULE));
+        .env("LEVALAB_MODULE", packed.join(page::MODULE));
     process::run(&mut command)
 }
 

@@ -190,7 +190,11 @@ fn write_package(module: &Path, build: Build) -> Result<()> {
 
 fn write_glue(module: &Path, folder: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(module).web(true)?.typescript(true).omit_default_module_path(false);
+    bindgen
+        .input_path(module)
+        .web(true)?
+        .typescript(true)
+        .omit_default_module_path(false);
     bindgen
         .remove_name_section(true)
         .remove_producers_section(true);
