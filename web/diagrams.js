@@ -64,7 +64,6 @@ export function mount(root, context) {
     if (!changed.has("report") && !changed.has("tab") && !changed.has("perSecond") && !changed.has("language")) moved();
   });
   store.subscribe(["cursor", "playing", "language"], tellCursor);
-  store.subscribe(["stale", "error"], ({ stale }) => root.toggleAttribute("data-stale", stale));
   arrange();
   if (ready()) {
     word();
@@ -138,7 +137,6 @@ export function mount(root, context) {
     overlay.setAttribute("aria-label", t("diagram.cursor"));
     tabs.word(t("diagram.choose"), (value) => (value === "svaj" ? "SVAJ" : value === "rho" ? "ρ" : "φ"), (value) => t(`diagram.tab.${value}`), tab);
     timing.word(t("diagram.timing"), (value) => t(`diagram.per.${value}.short`), (value) => t(`diagram.per.${value}`), perSecond ? "second" : "radian");
-    timing.element.disabled = tab !== "svaj";
     note.textContent = tab === "svaj" ? "" : t(`diagram.note.${tab}`);
     note.hidden = tab === "svaj";
     if (!ready()) return;
@@ -258,7 +256,7 @@ function figure(plot) {
   const name = h("span", { class: "diagram-name" });
   const unit = h("span", { class: "diagram-unit" });
   const sample = s("svg", { class: "diagram-sample", viewBox: "0 0 34 6", "aria-hidden": "true" }, s("path", { d: "M1 3H33" }));
-  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", {}, letter, unit, name, sample), canvas);
+  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", {}, h("span", { class: "diagram-measure" }, letter, unit), sample, name), canvas);
   return { plot, element, canvas, letter, name, unit };
 }
 

@@ -84,11 +84,11 @@ export function mount(root, context) {
     draw();
   });
   store.subscribe(["cursor", "layers", "highlight"], (_, changed) => {
+    if (changed.has("layers") && scene && !chosen) look(false);
     if (!changed.has("report")) draw();
   });
   store.subscribe(["layers", "language", "report"], () => menu.update());
   store.subscribe(["language", "report"], word);
-  store.subscribe(["stale", "error"], ({ stale }) => root.toggleAttribute("data-stale", stale));
 
   handle({
     canvas,
@@ -129,7 +129,7 @@ export function mount(root, context) {
   }
 
   function fitted() {
-    return fitView(/** @type {Scene} */ (scene).follower.box, width, height, MARGIN);
+    return fitView(/** @type {Scene} */ (scene).box(store.state), width, height, MARGIN);
   }
 
   /**

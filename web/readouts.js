@@ -89,7 +89,6 @@ export function mount(root, context) {
     if (changed.size !== 1 || !changed.has("cursor")) shownAt = -Infinity;
     show();
   });
-  store.subscribe(["stale", "error"], ({ stale }) => root.toggleAttribute("data-stale", stale));
   if (/** @type {State["report"] | undefined} */ (store.state.report)) {
     lay();
     show();
@@ -104,8 +103,9 @@ export function mount(root, context) {
       const size = reading.size(report) * (perSecond ? report.omega ** reading.order : 1);
       cell.digits = reading.unit(report, perSecond) === "°" ? 1 : decimals(size);
       cell.letter.textContent = perSecond ? reading.timed : reading.letter;
-      cell.name.textContent = ` ${t(`readout.${reading.name}`)}`;
-      cell.element.title = t(`readout.${reading.name}`);
+      const name = t(reading.name === "sliding" && report.mechanism.contact === "roller" ? "readout.rolling" : `readout.${reading.name}`);
+      cell.name.textContent = ` ${name}`;
+      cell.element.title = name;
       cell.unit.textContent = reading.unit(report, perSecond);
       cell.output.style.minWidth = `${format.number(-size, { digits: cell.digits }).length}ch`;
       cell.element.hidden = reading.name === "contact" && !report.summary.contact;

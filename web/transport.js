@@ -28,8 +28,8 @@ export function mount(root, { store, t, format }) {
   const wheelLabel = h("label", { for: "transport-wheel", class: "transport-speed" });
   const pace = h("output", { for: "transport-wheel", class: "transport-pace", "aria-live": "off" });
   root.append(
-    h("div", { class: "transport-row" }, play, back, forth, h("div", { class: "transport-track" }, scrub, ticks), h("span", { class: "transport-field" }, angleLabel, angle)),
-    h("div", { class: "transport-row" }, reverse, wheelLabel, h("span", { class: "transport-wheel-track" }, wheel), pace),
+    h("div", { class: "transport-row transport-place" }, play, back, forth, h("div", { class: "transport-track" }, scrub, ticks), h("span", { class: "transport-field" }, angleLabel, angle)),
+    h("div", { class: "transport-row transport-rate" }, reverse, wheelLabel, h("span", { class: "transport-wheel-track" }, wheel), pace),
   );
 
   let lastRate = CALM;

@@ -156,9 +156,8 @@ export function stretch(cam, from, to) {
  * @param {Pen} pen
  * @param {Cam} cam
  * @param {number} angle  rad
- * @param {number} width  CSS pixels of the edge
  */
-export function drawCam(pen, cam, angle, width) {
+export function drawCam(pen, cam, angle) {
   const { context, palette } = pen;
   pen.world(0, 0, angle);
   context.lineJoin = "round";
@@ -171,6 +170,6 @@ export function drawCam(pen, cam, angle, width) {
   context.stroke(cam.bore);
   pen.line(palette.camEdge, 1);
   context.stroke(cam.mark);
-  pen.line(palette.camEdge, width);
+  pen.line(palette.camEdge, 1.65);
   context.stroke(cam.profile);
 }

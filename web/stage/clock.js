@@ -16,8 +16,14 @@ const ON_STEP = 1e-6;
 /** A frame that took longer (a tab that slept) moves the cam no further than this. */
 const LONGEST_FRAME = 0.1;
 
-/** @param {number} theta */
-export const wrap = (theta) => ((theta % TURN) + TURN) % TURN;
+/**
+ * Into 0 ≤ θ < 360, exactly where nothing has to be added.
+ * @param {number} theta
+ */
+export function wrap(theta) {
+  const rest = theta % TURN;
+  return rest < 0 ? (rest + TURN) % TURN : rest;
+}
 
 /**
  * Where the cursor is after so many seconds.

@@ -165,7 +165,8 @@ function label(pen, symbol, text, x, y, level) {
     context.font = font;
     width += context.measureText(run).width;
   }
-  let left = level ? x - width / 2 : x + 10;
+  const room = context.canvas.width / pen.ratio;
+  let left = Math.max(4, Math.min(level ? x - width / 2 : x + 10, room - width - 4));
   const base = level ? y - 9 : y + size / 3;
   for (const [font, run, drop] of runs) {
     context.font = font;

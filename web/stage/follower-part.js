@@ -41,6 +41,16 @@ export function buildFollower(report, lab) {
 }
 
 /**
+ * The cam with its pitch curve, however it is turned. That of a mushroom, far outside, is not waited for.
+ * @param {Report["mechanism"]} mechanism
+ * @returns {Box}
+ */
+function around({ reach, contact, roller_radius: radius }) {
+  const far = reach + (contact === "roller" ? radius : 0);
+  return { left: -far, right: far, bottom: -far, top: far };
+}
+
+/**
  * The instants at the start, at the lowest and at the highest place of the turn.
  * @param {Report} report
  * @param {Lab} lab
@@ -103,7 +113,7 @@ function translating(report, lab) {
     return rectangle(a, seat, b, guideTop);
   });
 
-  const box = { left: -reach, right: reach, bottom: -reach, top: reach };
+  const box = around(mechanism);
   include(box, eccentricity - Math.max(outer, side), high + end);
   include(box, eccentricity + Math.max(outer, side), guideTop);
   const spring = { x: eccentricity, half: half + 0.9 * t, foot: top + 0.7 * t, seat };
@@ -174,7 +184,7 @@ function oscillating(report, lab, [px, py]) {
     ? [rectangle(-1.3 * t, offset, length, offset + 1.3 * t), rectangle(-0.95 * t, Math.min(0, offset), 0.95 * t, Math.max(0, offset)), disc(0, 0, 1.3 * t)]
     : [bar(length, 1.3 * t, Math.min(0.85 * t, Math.max(0.5 * radius, 0.4 * t)))];
 
-  const box = { left: -reach, right: reach, bottom: -reach, top: reach };
+  const box = around(mechanism);
   const pose = { x: 0, y: 0, angle: 0, mirror: 1 };
   for (const at of instants) {
     place(at, pose);

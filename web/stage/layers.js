@@ -13,13 +13,21 @@ export const LAYERS = Object.freeze({ base: true, prime: true, pitch: true, axes
 
 /** A circle larger than this on screen is drawn as the straight line it looks like. */
 const STRAIGHT = 6000;
+/** Half of what stem and spring take of the picture, as a share of the cam's reach. */
+const STEM = 0.1;
+/** Between a line and its label, CSS pixels. */
+const GAP = 9;
+/** A normal that leans less than this stands upright. */
+const LEVEL = 1e-9;
 
 /**
  * Whether a layer means anything for this follower.
  * @param {Layer} layer
  * @param {Report} report
  */
-export const applies = (layer, report) => (layer !== "prime" && layer !== "pitch") || (report.mechanism.prime_radius !== null && (layer === "pitch" || report.mechanism.roller_radius > 0));
+export function applies(layer, { mechanism }) {
+  return (layer !== "prime" && layer !== "pitch") || mechanism.contact === "roller";
+}
 
 /**
  * @param {Pen} pen
@@ -89,15 +97,18 @@ export function drawNormal(pen, report, at, label) {
   context.arc(pen.x(ox), pen.y(oy), radius, from, from + sweep, sweep < 0);
   pen.line(palette.phi, 1.5);
   context.stroke();
-  const middle = from + sweep / 2;
-  const side = sweep < 0 ? -1 : 1;
-  const beyond = Math.min(0.28, 26 / radius);
-  const angle = Math.abs(sweep) < 0.5 ? from + sweep + side * beyond : middle;
-  context.font = `italic ${palette.size * 1.08}px ${palette.fontMath}`;
-  context.textAlign = Math.cos(angle) < Math.cos(from + sweep) - 0.01 ? "right" : "left";
+
+  // The label stands beside both lines, on the side to which the normal leans, and clear of the stem.
+  const ends = [pen.x(ox) + radius * Math.cos(from), pen.x(ox) + radius * Math.cos(from + sweep)];
+  const axis = pen.x(pivot ? ox : report.mechanism.eccentricity);
+  const clear = pivot ? 0 : STEM * reach * pen.view.scale;
+  const aside = pen.x(ox) - axis;
+  const right = Math.abs(aside) > 1 ? aside > 0 : nx - dx >= -LEVEL;
+  context.font = `italic ${palette.size * 1.15}px ${palette.fontMath}`;
+  context.textAlign = right ? "left" : "right";
   context.textBaseline = "middle";
-  const at2 = radius * (Math.abs(sweep) < 0.5 ? 1 : 1.12);
-  pen.text(label, pen.x(ox) + at2 * Math.cos(angle), pen.y(oy) + at2 * Math.sin(angle), palette.phi);
+  const x = right ? Math.max(...ends, axis + clear) + GAP : Math.min(...ends, axis - clear) - GAP;
+  pen.text(label, x, pen.y(oy) + radius * Math.sin(from + sweep / 2), palette.phi);
 }
 
 /**

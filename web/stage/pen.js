@@ -7,6 +7,8 @@
 
 /** @type {number[]} */
 const FULL = [];
+/** The stroke of a curve on a laptop, to which all widths given here are relative. */
+const USUAL_STROKE = 1.5;
 
 export class Pen {
   /** @type {View} */
@@ -25,6 +27,11 @@ export class Pen {
   constructor(context, palette) {
     this.context = context;
     this.palette = palette;
+  }
+
+  /** How much heavier than usual everything is drawn: a projector is seen from afar. */
+  get weight() {
+    return this.palette.stroke / USUAL_STROKE;
   }
 
   /** @param {number} x */
@@ -68,7 +75,7 @@ export class Pen {
   line(colour, pixels, dash) {
     const unit = this.#world ? 1 / this.view.scale : 1;
     this.context.strokeStyle = colour;
-    this.context.lineWidth = pixels * unit;
+    this.context.lineWidth = pixels * this.weight * unit;
     this.context.setLineDash(dash ? this.#dash(this.palette.dash[dash]) : FULL);
   }
 
@@ -136,7 +143,7 @@ export class Pen {
   dot(x, y, pixels, colour) {
     const { context } = this;
     context.beginPath();
-    context.arc(this.x(x), this.y(y), pixels, 0, 2 * Math.PI);
+    context.arc(this.x(x), this.y(y), pixels * this.weight ** 0.5, 0, 2 * Math.PI);
     context.fillStyle = colour;
     context.fill();
     this.line(this.palette.paper, 1.25);
@@ -152,7 +159,7 @@ export class Pen {
    */
   text(text, px, py, colour) {
     const { context } = this;
-    this.line(this.palette.paper, 4);
+    this.line(this.palette.paper, 4 / this.weight);
     context.lineJoin = "round";
     context.strokeText(text, px, py);
     context.fillStyle = colour;

@@ -6,14 +6,15 @@
  * @import { Follower, Pose } from "./follower-part.js"
  * @import { Stations } from "./stations.js"
  * @import { Pen } from "./pen.js"
+ * @import { Box } from "./view.js"
  */
 import { between, buildCam, drawCam, stretch } from "./cam-part.js";
 import { dimension, drawDimension } from "./dimensions.js";
 import { buildFollower } from "./follower-part.js";
 import { AT } from "./instant.js";
 import { LAYERS, applies, drawAxes, drawBase, drawNormal, drawOsculating, drawPrime } from "./layers.js";
-import { buildStations, drawStations } from "./stations.js";
-import { roundLength } from "./view.js";
+import { buildStations, drawStations, stationsReach } from "./stations.js";
+import { include, roundLength } from "./view.js";
 
 /** Coils of the spring. */
 const COILS = 7;
@@ -48,8 +49,20 @@ export class Scene {
     this.lab = lab;
     this.cam = buildCam(report, lab);
     this.follower = buildFollower(report, lab);
-    this.#turns = before?.#turns ?? 0;
-    this.#theta = before?.#theta ?? 0;
+    if (!before) return;
+    this.#turns = before.#turns;
+    this.#theta = before.#theta;
+  }
+
+  /**
+   * What there is to see in a whole turn.
+   * @param {Readonly<State>} state
+   * @returns {Box}
+   */
+  box(state) {
+    const box = { ...this.follower.box };
+    if (shown(state, "stations", this.report)) include(box, 0, 0, stationsReach(this.report));
+    return box;
   }
 
   /** @param {number} theta */
@@ -77,7 +90,7 @@ export class Scene {
     pen.screen();
     if (shown(state, "axes", report)) drawAxes(pen, report);
     this.#drawBody(pen);
-    drawCam(pen, this.cam, angle, 1.1 * pen.palette.stroke);
+    drawCam(pen, this.cam, angle);
     this.#drawLit(pen, state, angle);
     if (shown(state, "pitch", report) && this.cam.pitch) {
       pen.world(0, 0, angle);
@@ -138,9 +151,11 @@ export class Scene {
     context.moveTo(right, bottom);
     for (let i = 1; i <= 2 * COILS; i++) context.lineTo(i % 2 ? left : right, bottom + (rise * i) / (2 * COILS));
     context.lineJoin = "round";
-    pen.line(pen.palette.steel, 3.5);
+    // Wire that never fills the gap between its coils.
+    const wire = Math.min(1.5, (-0.3 * rise) / COILS / pen.weight);
+    pen.line(pen.palette.steel, 2.4 * wire);
     context.stroke();
-    pen.line(pen.palette.camEdge, 1.5);
+    pen.line(pen.palette.camEdge, wire);
     context.stroke();
   }
 
@@ -164,7 +179,7 @@ export class Scene {
     context.arc(0, 0, roller, 0, 2 * Math.PI);
     context.fillStyle = palette.panel;
     context.fill();
-    pen.line(palette.camEdge, palette.stroke);
+    pen.line(palette.camEdge, 1.5);
     context.stroke();
     context.beginPath();
     for (let i = 0; i < 3; i++) {
@@ -257,5 +272,5 @@ function drawScale(pen, report, format, height) {
   context.font = `${palette.size * 0.85}px ${palette.font}`;
   context.textAlign = "left";
   context.textBaseline = "alphabetic";
-  pen.text(format.number(length, { unit: report.units.length }), 14, y - 5, palette.muted);
+  pen.text(format.number(length, { unit: report.units.length }), 14, y - 6, palette.muted);
 }

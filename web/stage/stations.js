@@ -65,6 +65,15 @@ export function buildStations(report, lab) {
 }
 
 /**
+ * How far from the cam's centre the construction reaches, numbers and all.
+ * @param {Report} report
+ */
+export function stationsReach({ mechanism: { reach, roller_radius: radius, contact, pivot } }) {
+  const around = reach * 1.3 + (contact === "roller" ? 2 * radius : 0);
+  return pivot ? Math.max(around, Math.hypot(...pivot) + 0.06 * reach) : around;
+}
+
+/**
  * @param {Path2D} path
  * @param {[number, number]} centre
  * @param {number} radius

@@ -21,8 +21,8 @@ const ARRIVED = 1e-4;
  * @returns {View}
  */
 export function fitView(box, width, height, margin) {
-  const across = Math.max(box.right - box.left, Number.MIN_VALUE);
-  const up = Math.max(box.top - box.bottom, Number.MIN_VALUE);
+  const across = box.right - box.left || 1;
+  const up = box.top - box.bottom || 1;
   const scale = Math.min(Math.max(width - 2 * margin, 1) / across, Math.max(height - 2 * margin, 1) / up);
   return {
     scale,

@@ -76,4 +76,5 @@ export const stageEn = {
   "readout.rho": "radius of curvature of the profile",
   "readout.contact": "place of the contact on the face",
   "readout.sliding": "sliding at the contact",
+  "readout.rolling": "rolling speed at the contact",
 };

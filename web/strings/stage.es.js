@@ -76,4 +76,5 @@ export const stageEs = {
   "readout.rho": "radio de curvatura del perfil",
   "readout.contact": "posición del contacto en la cara",
   "readout.sliding": "deslizamiento en el contacto",
+  "readout.rolling": "velocidad de rodadura en el contacto",
 };
