@@ -74,6 +74,12 @@ impl Stretch {
         Svaj::new(y.s, y.v * k, y.a * k2, y.j * (k2 * k))
     }
 
+    /// True when the follower rests.
+    #[must_use]
+    pub fn is_still(&self) -> bool {
+        self.curve.coefficients().len() <= 1 && self.curve.waves().is_empty()
+    }
+
     /// The formula in x = (θ − origin)/β, with its origin and β.
     #[must_use]
     pub fn formula(&self) -> (Curve, f64, f64) {

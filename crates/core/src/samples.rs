@@ -165,10 +165,15 @@ impl Samples {
         let step = TAU / n as f64;
         let first = self.theta.len();
         let after = if stretch.to >= TAU { n } else { ((stretch.to - SNAP) / step).ceil() as usize };
+        let look = |theta: f64| {
+            let motion = stretch.at(theta);
+            (motion, cam.follower.contact(motion))
+        };
+        // A dwell is looked at once.
+        let still = stretch.is_still().then(|| look(stretch.from));
         for k in first..after {
             let theta = TAU * k as f64 / n as f64;
-            let motion = stretch.at(theta);
-            let contact = cam.follower.contact(motion);
+            let (motion, contact) = still.unwrap_or_else(|| look(theta));
             self.theta.push(theta);
             put(&mut self.grid, cam, &motion, &contact);
             self.profile.push(contact.point * self.turns[k]);
@@ -182,8 +187,7 @@ impl Samples {
         let parts = if after.saturating_sub(first) < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
         for i in usize::from(starts_on_grid)..=parts {
             let theta = if i == parts { stretch.to } else { stretch.from + (stretch.to - stretch.from) * i as f64 / parts as f64 };
-            let motion = stretch.at(theta);
-            let contact = cam.follower.contact(motion);
+            let (motion, contact) = look(theta);
             self.own_theta.push(theta);
             put(&mut self.own, cam, &motion, &contact);
             self.star_shaped &= looks_away(&contact);
