@@ -14,6 +14,9 @@ import { arcArrow, arrow, circle, letter, lobe, path, polar, stroke } from "./sk
 const WIDTH = 168;
 const HEIGHT = 166;
 
+/** Empty room above the followers that swing. */
+const ROOM = 44;
+
 /** Base radius, eccentricity and centre of the translating drawings. */
 const BASE = 40;
 const ECCENTRICITY = 18;
@@ -42,7 +45,7 @@ const DRAWINGS = {
  * @param {(parameter: string | null) => void} options.point
  */
 export function createHelpDrawing({ pick, point }) {
-  const root = s("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: "help-drawing", role: "img" });
+  const root = s("svg", { class: "help-drawing", role: "img" });
 
   /** @param {Event} event */
   const parameterAt = (event) =>
@@ -67,6 +70,8 @@ export function createHelpDrawing({ pick, point }) {
       const symbols = { base_radius: "R_b" };
       for (const parameter of entry.parameters) symbols[parameter.key] = parameter.symbol;
       root.replaceChildren(...(DRAWINGS[entry.id] ?? anyFollower)(symbols));
+      const top = entry.motion === "oscillating" ? ROOM : 0;
+      root.setAttribute("viewBox", `0 ${top} ${WIDTH} ${HEIGHT - top}`);
       root.setAttribute("aria-label", name);
     },
 

@@ -43,7 +43,7 @@ export function createSegmentMenu(t, act) {
      */
     open(anchor, possible) {
       for (const { action, item } of items) {
-        item.textContent = t(`segments.${action}`);
+        item.textContent = t(`action.${action}`);
         item.disabled = !possible(action);
       }
       root.setAttribute("aria-label", anchor.getAttribute("aria-label") ?? "");

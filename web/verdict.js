@@ -36,6 +36,7 @@ export function mount(root, context) {
   const word = h("strong", { class: "word" });
   const headline = h("span", { class: "headline" });
   const figures = createFigures(context);
+  const note = h("p", { class: "note" });
   const list = h("ul", { class: "findings" });
   const more = h("button", { type: "button", class: "quiet more-findings", "aria-expanded": "false" });
   const heading = texts.text(h("h2", { class: "unseen", id: "verdict-heading" }), "app.verdict");
@@ -44,7 +45,7 @@ export function mount(root, context) {
   let timer = 0;
 
   root.setAttribute("aria-labelledby", heading.id);
-  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline)), figures.root, list, more);
+  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline)), figures.root, note, list, more);
   texts.attribute(list, "aria-label", "verdict.findings");
   more.addEventListener("click", () => {
     open = !open;
@@ -58,9 +59,11 @@ export function mount(root, context) {
     root.dataset.level = light;
     sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
     sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
-    word.textContent = t(`verdict.${light}`);
-    headline.textContent = error ? `${error.message} ${t("verdict.stopped.kept")}` : report.verdict.headline;
+    word.textContent = t(`level.${light}`);
+    headline.textContent = error ? error.message : report.verdict.headline;
     list.replaceChildren(...(error ? [] : report.verdict.findings.map(finding)));
+    note.textContent = error ? t("verdict.stopped.kept") : t("verdict.none");
+    note.hidden = list.childElementCount > 0;
     figures.update();
     fold();
     say(`${word.textContent}. ${headline.textContent}`);
