@@ -66,21 +66,13 @@ fn write() -> Result<Packed> {
     fs::rename(&fresh, &folder)?;
     let page = Page::new(&hash, &loads, &parts);
     fs::write(dist.join("index.html"), page.rewrite(&html))?;
-    Ok(Packed {
-        folder,
-        first: page.first(),
-    })
+    Ok(Packed { folder, first: page.first() })
 }
 
 /// Joins and minifies scripts and styles; gives the files that the page needs at once beside those it names.
 fn bundle(out: &Path, loads: &[Load]) -> Result<Vec<String>> {
-    let of_kind = |kind: &Kind| {
-        loads
-            .iter()
-            .filter(|load| load.kind == *kind)
-            .map(|load| load.file.as_str())
-            .collect::<Vec<_>>()
-    };
+    let of_kind =
+        |kind: &Kind| loads.iter().filter(|load| load.kind == *kind).map(|load| load.file.as_str()).collect::<Vec<_>>();
     let styles = loads.iter().filter_map(|load| match &load.kind {
         Kind::Style(media) => Some(json!({ "file": load.file, "media": media })),
         _ => None,
@@ -92,10 +84,7 @@ fn bundle(out: &Path, loads: &[Load]) -> Result<Vec<String>> {
         "styles": styles.collect::<Vec<_>>(),
     });
     let mut bundler = process::node(["crates/xtask/src/bundle.js", &order.to_string()]);
-    let output = bundler
-        .stderr(Stdio::inherit())
-        .output()
-        .context("node did not start")?;
+    let output = bundler.stderr(Stdio::inherit()).output().context("node did not start")?;
     ensure!(output.status.success(), "joining the scripts failed");
     serde_json::from_slice(&output.stdout).context("bundle.js printed no JSON")
 }
@@ -107,11 +96,10 @@ fn copy_others(fresh: &Path) -> Result<()> {
         let entry = entry?;
         let relative = entry.path().strip_prefix(&web)?;
         let hidden = entry.file_name().to_string_lossy().starts_with('.');
-        let joined = entry.path().extension().is_none_or(|extension| {
-            ["js", "ts", "css", "md"]
-                .iter()
-                .any(|other| extension == *other)
-        });
+        let joined = entry
+            .path()
+            .extension()
+            .is_none_or(|extension| ["js", "ts", "css", "md"].iter().any(|other| extension == *other));
         if entry.file_type().is_file() && !hidden && !joined {
             let place = fresh.join(relative);
             fs::create_dir_all(place.parent().unwrap_or(fresh))?;
@@ -156,10 +144,7 @@ fn forbid_other_hosts(dist: &Path) -> Result<()> {
         found.extend(foreign.map(|address| format!("{}: {address}", file.display())));
     }
     if !found.is_empty() {
-        bail!(
-            "addresses of other hosts in shipped files:\n{}",
-            found.join("\n")
-        );
+        bail!("addresses of other hosts in shipped files:\n{}", found.join("\n"));
     }
     Ok(())
 }
@@ -175,27 +160,16 @@ fn print_sizes(packed: &Packed) -> Result<()> {
     }
     print_size("together", total);
     for file in files(&dist)? {
-        let name = file
-            .strip_prefix(&dist)?
-            .to_string_lossy()
-            .replace('\\', "/");
+        let name = file.strip_prefix(&dist)?.to_string_lossy().replace('\\', "/");
         if !packed.first.contains(&name) {
             print_size(&format!("on demand: {name}"), Size::of(&file)?);
         }
     }
-    let verdict = if total.gzip <= FIRST_LOAD_GOAL {
-        "kept"
-    } else {
-        "MISSED"
-    };
+    let verdict = if total.gzip <= FIRST_LOAD_GOAL { "kept" } else { "MISSED" };
     println!("goal: {} gzip, {verdict}", kilobytes(FIRST_LOAD_GOAL));
     Ok(())
 }
 
 fn print_size(name: &str, size: Size) {
-    println!(
-        "{name:<44} {:>10} {:>10}",
-        kilobytes(size.raw),
-        kilobytes(size.gzip)
-    );
+    println!("{name:<44} {:>10} {:>10}", kilobytes(size.raw), kilobytes(size.gzip));
 }

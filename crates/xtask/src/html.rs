@@ -36,9 +36,7 @@ pub fn loads(html: &str) -> Vec<Load> {
     let mut start = 0;
     while let Some(offset) = html[start..].find('<') {
         start += offset;
-        let end = html[start..]
-            .find('>')
-            .map_or(html.len(), |length| start + length + 1);
+        let end = html[start..].find('>').map_or(html.len(), |length| start + length + 1);
         found.extend(load(html, start..end));
         start = end;
     }
@@ -49,14 +47,7 @@ fn load(html: &str, range: Range<usize>) -> Option<Load> {
     let tag = &html[range.clone()];
     let relation = attribute(tag, "rel").unwrap_or_default();
     let (name, kind) = if tag.starts_with("<script") {
-        (
-            "src",
-            if attribute(tag, "type") == Some("module") {
-                Kind::Module
-            } else {
-                Kind::Script
-            },
-        )
+        ("src", if attribute(tag, "type") == Some("module") { Kind::Module } else { Kind::Script })
     } else if tag.starts_with("<link") {
         let kind = match relation {
             "stylesheet" => Kind::Style(attribute(tag, "media").unwrap_or_default().to_owned()),
@@ -69,17 +60,8 @@ fn load(html: &str, range: Range<usize>) -> Option<Load> {
     };
     let file = attribute(tag, name)?.trim_start_matches("./").to_owned();
     let close = "</script>";
-    let end = if name == "src" && html[range.end..].starts_with(close) {
-        range.end + close.len()
-    } else {
-        range.end
-    };
-    file.starts_with("web/").then(|| Load {
-        range: range.start..end,
-        tag: tag.to_owned(),
-        file,
-        kind,
-    })
+    let end = if name == "src" && html[range.end..].starts_with(close) { range.end + close.len() } else { range.end };
+    file.starts_with("web/").then(|| Load { range: range.start..end, tag: tag.to_owned(), file, kind })
 }
 
 fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
@@ -117,10 +99,7 @@ mod tests {
 
     #[test]
     fn scripts_styles_and_icons_are_found() {
-        let found: Vec<_> = loads(PAGE)
-            .into_iter()
-            .map(|load| (load.file, load.kind))
-            .collect();
+        let found: Vec<_> = loads(PAGE).into_iter().map(|load| (load.file, load.kind)).collect();
         let expected = [
             ("web/icon.svg", Kind::Other),
             ("web/a.css", Kind::Style(String::new())),
@@ -136,9 +115,6 @@ mod tests {
             Kind::Module => "<script src=\"x/main.js\"></script>".into(),
             _ => String::new(),
         });
-        assert_eq!(
-            written,
-            "<head>\n  <script src=\"x/main.js\"></script>\n</head>"
-        );
+        assert_eq!(written, "<head>\n  <script src=\"x/main.js\"></script>\n</head>");
     }
 }

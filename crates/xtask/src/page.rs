@@ -20,11 +20,7 @@ pub struct Page<'a> {
 impl<'a> Page<'a> {
     /// `folder` beside it holds everything else; `parts` are the scripts that its modules import at once.
     pub fn new(folder: &'a str, loads: &'a [Load], parts: &'a [String]) -> Page<'a> {
-        Page {
-            folder,
-            loads,
-            parts,
-        }
+        Page { folder, loads, parts }
     }
 
     /// `index.html` with the addresses of the packed files.
@@ -34,10 +30,7 @@ impl<'a> Page<'a> {
             Kind::Style(_) if styled => String::new(),
             Kind::Style(_) => {
                 styled = true;
-                format!(
-                    "<link rel=\"stylesheet\" href=\"{}\">",
-                    self.packed("style.css")
-                )
+                format!("<link rel=\"stylesheet\" href=\"{}\">", self.packed("style.css"))
             }
             Kind::Script => format!("<script src=\"{}\"></script>", self.script(load)),
             Kind::Module => self.module(load),
@@ -62,17 +55,10 @@ impl<'a> Page<'a> {
     /// The script, and hints to fetch all it needs at the same time, not one after the other.
     fn module(&self, load: &Load) -> String {
         let wasm = self.packed(MODULE);
-        let mut tags = vec![format!(
-            "<link rel=\"preload\" href=\"{wasm}\" as=\"fetch\" type=\"application/wasm\" crossorigin>"
-        )];
-        tags.extend(
-            self.early()
-                .map(|part| format!("<link rel=\"modulepreload\" href=\"{part}\">")),
-        );
-        tags.push(format!(
-            "<script type=\"module\" src=\"{}\"></script>",
-            self.script(load)
-        ));
+        let mut tags =
+            vec![format!("<link rel=\"preload\" href=\"{wasm}\" as=\"fetch\" type=\"application/wasm\" crossorigin>")];
+        tags.extend(self.early().map(|part| format!("<link rel=\"modulepreload\" href=\"{part}\">")));
+        tags.push(format!("<script type=\"module\" src=\"{}\"></script>", self.script(load)));
         tags.join("\n    ")
     }
 

@@ -42,9 +42,7 @@ where
 /// Runs to the end, its output shown as it comes; anything but success is an error.
 pub fn run(command: &mut Command) -> Result<()> {
     let name = Path::new(command.get_program()).display().to_string();
-    let status = command
-        .status()
-        .with_context(|| format!("{name} did not start"))?;
+    let status = command.status().with_context(|| format!("{name} did not start"))?;
     if !status.success() {
         bail!("{name} ended with {status}");
     }
@@ -81,7 +79,5 @@ pub fn output(command: &mut Command) -> Option<String> {
 pub fn find(name: &str) -> Option<PathBuf> {
     let file = format!("{name}{}", env::consts::EXE_SUFFIX);
     let folders = env::var_os("PATH")?;
-    env::split_paths(&folders)
-        .map(|folder| folder.join(&file))
-        .find(|path| path.is_file())
+    env::split_paths(&folders).map(|folder| folder.join(&file)).find(|path| path.is_file())
 }

@@ -15,14 +15,9 @@ pub fn root() -> &'static Path {
     static ROOT: OnceLock<PathBuf> = OnceLock::new();
     ROOT.get_or_init(|| {
         // Cargo sets the variable when it runs us; the compiled-in value serves a binary started by hand.
-        let manifest =
-            env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").into());
+        let manifest = env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").into());
         let manifest = Path::new(&manifest);
-        manifest
-            .ancestors()
-            .nth(2)
-            .unwrap_or(manifest)
-            .to_path_buf()
+        manifest.ancestors().nth(2).unwrap_or(manifest).to_path_buf()
     })
 }
 
@@ -35,11 +30,8 @@ pub fn path(relative: &str) -> PathBuf {
 pub fn target() -> Result<PathBuf> {
     let mut metadata = process::cargo(["metadata", "--no-deps", "--format-version=1", "--offline"]);
     let output = metadata.output().context("cargo metadata did not start")?;
-    let metadata: serde_json::Value =
-        serde_json::from_slice(&output.stdout).context("cargo metadata gave no JSON")?;
-    let folder = metadata["target_directory"]
-        .as_str()
-        .context("cargo metadata names no target_directory")?;
+    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).context("cargo metadata gave no JSON")?;
+    let folder = metadata["target_directory"].as_str().context("cargo metadata names no target_directory")?;
     Ok(folder.into())
 }
 

@@ -40,17 +40,10 @@ const WATCH: Duration = Duration::from_secs(1);
 
 /// Serves until stopped.
 pub fn run(options: &Options) -> Result<()> {
-    let build = if options.release {
-        Build::Shipped
-    } else {
-        Build::Quick
-    };
+    let build = if options.release { Build::Shipped } else { Build::Quick };
     wasm::build(build)?;
     let server = Arc::new(listen(options.port)?);
-    let address = server
-        .server_addr()
-        .to_ip()
-        .ok_or_else(|| anyhow!("no address"))?;
+    let address = server.server_addr().to_ip().ok_or_else(|| anyhow!("no address"))?;
     announce(address, options.no_open);
     for _ in 0..WORKERS {
         let server = Arc::clone(&server);
@@ -60,10 +53,8 @@ pub fn run(options: &Options) -> Result<()> {
 }
 
 fn listen(port: Option<u16>) -> Result<Server> {
-    let on = |port| {
-        Server::http(SocketAddr::from(([127, 0, 0, 1], port)))
-            .map_err(|error| anyhow!("port {port}: {error}"))
-    };
+    let on =
+        |port| Server::http(SocketAddr::from(([127, 0, 0, 1], port))).map_err(|error| anyhow!("port {port}: {error}"));
     match port {
         Some(port) => on(port),
         None => on(8080).or_else(|_| on(0)),
@@ -74,9 +65,7 @@ fn announce(address: SocketAddr, quiet: bool) {
     let url = format!("http://{address}/");
     println!("LevaLab is at {url} (Ctrl+C ends)");
     let display = cfg!(any(windows, target_os = "macos"))
-        || ["DISPLAY", "WAYLAND_DISPLAY"]
-            .iter()
-            .any(|name| env::var_os(name).is_some());
+        || ["DISPLAY", "WAYLAND_DISPLAY"].iter().any(|name| env::var_os(name).is_some());
     if quiet || !display {
         return;
     }
@@ -120,9 +109,7 @@ fn file_of(url: &str, root: &Path) -> Option<PathBuf> {
     }
     let path = Path::new(if path.is_empty() { "index.html" } else { path });
     let plain = |part: Component| matches!(part, Component::Normal(name) if !name.to_string_lossy().starts_with('.'));
-    if !path.components().all(plain)
-        || !(path == Path::new("index.html") || path.starts_with("web"))
-    {
+    if !path.components().all(plain) || !(path == Path::new("index.html") || path.starts_with("web")) {
         return None;
     }
     // A symbolic link must not lead outside either.
@@ -166,14 +153,9 @@ fn watch(build: Build) -> ! {
 /// When a source of the page's module changed last.
 fn newest() -> Option<SystemTime> {
     let sources = WalkDir::new(project::path("crates")).into_iter().flatten();
-    let rust = sources.filter(|entry| {
-        entry
-            .path()
-            .extension()
-            .is_some_and(|extension| extension == "rs" || extension == "toml")
-    });
-    rust.filter_map(|entry| entry.metadata().ok()?.modified().ok())
-        .max()
+    let rust = sources
+        .filter(|entry| entry.path().extension().is_some_and(|extension| extension == "rs" || extension == "toml"));
+    rust.filter_map(|entry| entry.metadata().ok()?.modified().ok()).max()
 }
 
 #[cfg(test)]
@@ -183,12 +165,7 @@ mod tests {
     fn served(url: &str) -> Option<String> {
         let root = project::root().canonicalize().expect("the checkout exists");
         let file = file_of(url, &root)?;
-        Some(
-            file.strip_prefix(&root)
-                .expect("inside")
-                .to_string_lossy()
-                .into_owned(),
-        )
+        Some(file.strip_prefix(&root).expect("inside").to_string_lossy().into_owned())
     }
 
     #[test]

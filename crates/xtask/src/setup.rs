@@ -47,10 +47,7 @@ fn find_wasm_compiler() -> Result<WasmCompiler> {
         return Ok(WasmCompiler::Same);
     }
     let mut rustup = process::program("rustup", ["target", "add", WASM]);
-    let added = run_told(
-        &format!("adding the Rust target {WASM} by rustup"),
-        &mut rustup,
-    );
+    let added = run_told(&format!("adding the Rust target {WASM} by rustup"), &mut rustup);
     if added.is_ok() && library.is_dir() {
         return Ok(WasmCompiler::Same);
     }
@@ -61,8 +58,7 @@ fn find_wasm_compiler() -> Result<WasmCompiler> {
 
 fn sysroot() -> Result<PathBuf> {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let path = output(&mut process::program(rustc, ["--print", "sysroot"]))
-        .context("rustc did not run")?;
+    let path = output(&mut process::program(rustc, ["--print", "sysroot"])).context("rustc did not run")?;
     Ok(path.into())
 }
 
@@ -80,19 +76,13 @@ fn debian_compiler(sysroot: &Path) -> Result<WasmCompiler> {
         }
         process::find("wasm-ld").context("no wasm-ld")?
     };
-    eprintln!(
-        "· compiling for the page with Debian's rustc, linking with {}",
-        linker.display()
-    );
+    eprintln!("· compiling for the page with Debian's rustc, linking with {}", linker.display());
     Ok(WasmCompiler::Debian { linker })
 }
 
 fn debian_has(package: &str) -> bool {
-    output(&mut process::program(
-        "dpkg-query",
-        ["--show", "--showformat=${Status}", package],
-    ))
-    .is_some_and(|status| status == "install ok installed")
+    output(&mut process::program("dpkg-query", ["--show", "--showformat=${Status}", package]))
+        .is_some_and(|status| status == "install ok installed")
 }
 
 /// Installs Debian packages when we may: as root, where apt-get is.
@@ -103,17 +93,9 @@ fn apt_install(packages: &[&str]) -> Result<()> {
     }
     let mut update = process::program("apt-get", ["update", "--quiet=2"]);
     run_told("refreshing Debian's package lists", &mut update)?;
-    let mut install = process::program(
-        "apt-get",
-        ["install", "--yes", "--quiet=2", "--no-install-recommends"],
-    );
-    install
-        .args(packages)
-        .env("DEBIAN_FRONTEND", "noninteractive");
-    run_told(
-        &format!("installing {} by apt-get", packages.join(" ")),
-        &mut install,
-    )
+    let mut install = process::program("apt-get", ["install", "--yes", "--quiet=2", "--no-install-recommends"]);
+    install.args(packages).env("DEBIAN_FRONTEND", "noninteractive");
+    run_told(&format!("installing {} by apt-get", packages.join(" ")), &mut install)
 }
 
 /// Makes sure Node is there and the development packages are those of the lock file.
@@ -138,10 +120,7 @@ fn check_node() -> Result<()> {
     );
     let found = output(&mut process::node(["--version"]))
         .with_context(|| format!("no node in PATH. LevaLab's tests need {wanted}"))?;
-    let mut numbers = found
-        .trim_start_matches('v')
-        .split('.')
-        .map_while(|part| part.parse().ok());
+    let mut numbers = found.trim_start_matches('v').split('.').map_while(|part| part.parse().ok());
     let version = (numbers.next().unwrap_or(0), numbers.next().unwrap_or(0));
     if version < NODE {
         bail!("node is {found}. LevaLab's tests need {wanted}");
@@ -158,10 +137,7 @@ pub fn browser() -> Result<PathBuf> {
         return if named.is_file() {
             Ok(named)
         } else {
-            bail!(
-                "LEVALAB_BROWSER names {}, which is no file",
-                named.display()
-            )
+            bail!("LEVALAB_BROWSER names {}, which is no file", named.display())
         };
     }
     if let Some(found) = find_browser() {
@@ -179,27 +155,15 @@ pub fn browser() -> Result<PathBuf> {
 }
 
 fn find_browser() -> Option<PathBuf> {
-    let names = [
-        "chromium",
-        "chromium-browser",
-        "google-chrome",
-        "google-chrome-stable",
-        "chrome",
-        "microsoft-edge",
-        "msedge",
-    ];
-    names
-        .iter()
-        .find_map(|name| process::find(name))
-        .or_else(|| usual_places().into_iter().find(|path| path.is_file()))
+    let names =
+        ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge"];
+    names.iter().find_map(|name| process::find(name)).or_else(|| usual_places().into_iter().find(|path| path.is_file()))
 }
 
 fn usual_places() -> Vec<PathBuf> {
     let mac = ["Google Chrome", "Chromium", "Microsoft Edge"];
-    let mut places: Vec<PathBuf> = mac
-        .iter()
-        .map(|app| format!("/Applications/{app}.app/Contents/MacOS/{app}").into())
-        .collect();
+    let mut places: Vec<PathBuf> =
+        mac.iter().map(|app| format!("/Applications/{app}.app/Contents/MacOS/{app}").into()).collect();
     places.extend(["/opt/google/chrome/chrome", "/snap/bin/chromium"].map(PathBuf::from));
     for variable in ["ProgramFiles", "ProgramFiles(x86)", "LocalAppData"] {
         if let Some(base) = env::var_os(variable) {

@@ -20,18 +20,12 @@ impl Size {
         let bytes = fs::read(file).with_context(|| file.display().to_string())?;
         let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
         encoder.write_all(&bytes)?;
-        Ok(Size {
-            raw: bytes.len(),
-            gzip: encoder.finish()?.len(),
-        })
+        Ok(Size { raw: bytes.len(), gzip: encoder.finish()?.len() })
     }
 
     /// Both together.
     pub fn plus(self, other: Size) -> Size {
-        Size {
-            raw: self.raw + other.raw,
-            gzip: self.gzip + other.gzip,
-        }
+        Size { raw: self.raw + other.raw, gzip: self.gzip + other.gzip }
     }
 }
 

@@ -14,20 +14,8 @@ pub struct Options {
 
 /// Runs the soak test, optimised, with the count asked for.
 pub fn run(options: &Options) -> Result<()> {
-    let arguments = [
-        "test",
-        "--release",
-        "--package",
-        "levalab-format",
-        "--test",
-        "soak",
-        "--",
-        "--nocapture",
-    ];
+    let arguments = ["test", "--release", "--package", "levalab-format", "--test", "soak", "--", "--nocapture"];
     let mut command = process::cargo(arguments);
     command.env("LEVALAB_SOAK", options.count.to_string());
-    run_told(
-        &format!("trying {} designs and damaged links", options.count),
-        &mut command,
-    )
+    run_told(&format!("trying {} designs and damaged links", options.count), &mut command)
 }

@@ -46,78 +46,30 @@ const STEPS: [Step; 12] = [
         claim: "Rust is formatted",
         check: |_| process::run(&mut cargo(["fmt", "--all", "--check"])),
     },
-    Step {
-        name: "clippy",
-        claim: "Rust has no warnings",
-        check: clippy,
-    },
-    Step {
-        name: "clippy-wasm",
-        claim: "neither has the page's module",
-        check: clippy_wasm,
-    },
+    Step { name: "clippy", claim: "Rust has no warnings", check: clippy },
+    Step { name: "clippy-wasm", claim: "neither has the page's module", check: clippy_wasm },
     Step {
         name: "native",
         claim: "Rust tests and documentation examples hold",
         check: |_| process::run(&mut cargo(["test", "--workspace"])),
     },
-    Step {
-        name: "rustdoc",
-        claim: "the documentation builds, its links lead somewhere",
-        check: rustdoc,
-    },
-    Step {
-        name: "dist",
-        claim: "the page packs and names no other host",
-        check: |bench| bench.packed().map(drop),
-    },
-    Step {
-        name: "wasm",
-        claim: "the shipped module computes what the command line does",
-        check: wasm_against_native,
-    },
-    Step {
-        name: "types",
-        claim: "JavaScript passes strict type checking",
-        check: types,
-    },
-    Step {
-        name: "lint",
-        claim: "JavaScript passes eslint",
-        check: lint,
-    },
-    Step {
-        name: "unit",
-        claim: "the page's own tests hold",
-        check: unit,
-    },
-    Step {
-        name: "serve",
-        claim: "the development server gives the page and nothing else",
-        check: serve,
-    },
-    Step {
-        name: "browser",
-        claim: "the packed page works in a browser",
-        check: browser,
-    },
+    Step { name: "rustdoc", claim: "the documentation builds, its links lead somewhere", check: rustdoc },
+    Step { name: "dist", claim: "the page packs and names no other host", check: |bench| bench.packed().map(drop) },
+    Step { name: "wasm", claim: "the shipped module computes what the command line does", check: wasm_against_native },
+    Step { name: "types", claim: "JavaScript passes strict type checking", check: types },
+    Step { name: "lint", claim: "JavaScript passes eslint", check: lint },
+    Step { name: "unit", claim: "the page's own tests hold", check: unit },
+    Step { name: "serve", claim: "the development server gives the page and nothing else", check: serve },
+    Step { name: "browser", claim: "the packed page works in a browser", check: browser },
 ];
 
 /// Runs the steps asked for, all of them even when one fails.
 fn run_steps(options: &Options) -> Result<()> {
-    let wanted = |step: &&Step| {
-        options.steps.is_empty()
-            || options
-                .steps
-                .iter()
-                .any(|part| step.name.contains(part.as_str()))
-    };
+    let wanted =
+        |step: &&Step| options.steps.is_empty() || options.steps.iter().any(|part| step.name.contains(part.as_str()));
     let steps: Vec<_> = STEPS.iter().filter(wanted).collect();
     if steps.is_empty() {
-        bail!(
-            "no step has such a name; there are {}",
-            STEPS.map(|step| step.name).join(", ")
-        );
+        bail!("no step has such a name; there are {}", STEPS.map(|step| step.name).join(", "));
     }
     let bench = Bench::default();
     let results: Vec<_> = steps.iter().map(|step| perform(step, &bench)).collect();
@@ -151,26 +103,14 @@ fn perform(step: &Step, bench: &Bench) -> Outcome {
     if let Err(error) = &result {
         println!("✗ {}: {error:#}", step.name);
     }
-    Outcome {
-        passed: result.is_ok(),
-        time: start.elapsed(),
-    }
+    Outcome { passed: result.is_ok(), time: start.elapsed() }
 }
 
 fn print_table(steps: &[&Step], outcomes: &[Outcome]) {
     println!();
     for (step, outcome) in steps.iter().zip(outcomes) {
-        let mark = if outcome.passed {
-            "✓ pass"
-        } else {
-            "✗ FAIL"
-        };
-        println!(
-            "{mark}  {:<12} {:>8}  {}",
-            step.name,
-            seconds(outcome.time),
-            step.claim
-        );
+        let mark = if outcome.passed { "✓ pass" } else { "✗ FAIL" };
+        println!("{mark}  {:<12} {:>8}  {}", step.name, seconds(outcome.time), step.claim);
     }
     let total = outcomes.iter().map(|outcome| outcome.time).sum();
     println!("{:<6}  {:<12} {:>8}", "", "together", seconds(total));
@@ -178,30 +118,19 @@ fn print_table(steps: &[&Step], outcomes: &[Outcome]) {
 
 impl Bench {
     fn module(&self) -> Result<()> {
-        let built = self
-            .module
-            .get_or_init(|| wasm::build(Build::Shipped).map_err(|error| format!("{error:#}")));
+        let built = self.module.get_or_init(|| wasm::build(Build::Shipped).map_err(|error| format!("{error:#}")));
         built.clone().map_err(|error| anyhow!(error))
     }
 
     /// The packed folder with everything but `index.html`.
     fn packed(&self) -> Result<PathBuf> {
-        let packed = self
-            .packed
-            .get_or_init(|| dist::pack().map_err(|error| format!("{error:#}")));
+        let packed = self.packed.get_or_init(|| dist::pack().map_err(|error| format!("{error:#}")));
         packed.clone().map_err(|error| anyhow!(error))
     }
 }
 
 fn clippy(_: &Bench) -> Result<()> {
-    process::run(&mut cargo([
-        "clippy",
-        "--workspace",
-        "--all-targets",
-        "--",
-        "--deny",
-        "warnings",
-    ]))
+    process::run(&mut cargo(["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"]))
 }
 
 fn clippy_wasm(_: &Bench) -> Result<()> {
@@ -229,13 +158,9 @@ fn rustdoc(_: &Bench) -> Result<()> {
 fn wasm_against_native(bench: &Bench) -> Result<()> {
     let packed = bench.packed()?;
     process::run(&mut cargo(["build", "--package", "levalab-cli"]))?;
-    let levalab = project::target()?
-        .join("debug")
-        .join(format!("levalab{}", std::env::consts::EXE_SUFFIX));
+    let levalab = project::target()?.join("debug").join(format!("levalab{}", std::env::consts::EXE_SUFFIX));
     let mut command = node_test("tests/wasm/*.test.js")?;
-    command
-        .env("LEVALAB_CLI", levalab)
-        .env("LEVALAB_MODULE", packed.join(page::MODULE));
+    command.env("LEVALAB_CLI", levalab).env("LEVALAB_MODULE", packed.join(page::MODULE));
     process::run(&mut command)
 }
 
@@ -244,20 +169,14 @@ fn types(bench: &Bench) -> Result<()> {
     // The module's types are generated with it.
     bench.module()?;
     for project in ["tsconfig.json", "tests/tsconfig.json"] {
-        process::run(&mut node_tool(
-            "typescript/bin/tsc",
-            &["--project", project],
-        ))?;
+        process::run(&mut node_tool("typescript/bin/tsc", &["--project", project]))?;
     }
     Ok(())
 }
 
 fn lint(_: &Bench) -> Result<()> {
     setup::node_modules()?;
-    process::run(&mut node_tool(
-        "eslint/bin/eslint.js",
-        &["--max-warnings=0", "."],
-    ))
+    process::run(&mut node_tool("eslint/bin/eslint.js", &["--max-warnings=0", "."]))
 }
 
 fn unit(bench: &Bench) -> Result<()> {
@@ -268,9 +187,7 @@ fn unit(bench: &Bench) -> Result<()> {
 fn serve(bench: &Bench) -> Result<()> {
     bench.module()?;
     let mut command = node_test("tests/serve/*.test.js")?;
-    command
-        .env("LEVALAB_XTASK", std::env::current_exe()?)
-        .env("LEVALAB_BROWSER", setup::browser()?);
+    command.env("LEVALAB_XTASK", std::env::current_exe()?).env("LEVALAB_BROWSER", setup::browser()?);
     process::run(&mut command)
 }
 
@@ -297,22 +214,11 @@ fn node_test(pattern: &str) -> Result<Command> {
 /// Files of one folder (`folder/*.test.js`) or of a tree (`folder/**/*.test.js`): Node 20 takes names, not patterns.
 fn matching(pattern: &str) -> Result<Vec<PathBuf>> {
     let (folder, name) = pattern.rsplit_once('/').context("a pattern has a folder")?;
-    let (folder, depth) = folder
-        .strip_suffix("/**")
-        .map_or((folder, 1), |folder| (folder, usize::MAX));
+    let (folder, depth) = folder.strip_suffix("/**").map_or((folder, 1), |folder| (folder, usize::MAX));
     let ending = name.trim_start_matches('*');
-    let entries = walkdir::WalkDir::new(project::path(folder))
-        .max_depth(depth)
-        .sort_by_file_name();
-    let files: Vec<_> = entries
-        .into_iter()
-        .flatten()
-        .map(walkdir::DirEntry::into_path)
-        .collect();
-    let files: Vec<_> = files
-        .into_iter()
-        .filter(|file| file.to_string_lossy().ends_with(ending))
-        .collect();
+    let entries = walkdir::WalkDir::new(project::path(folder)).max_depth(depth).sort_by_file_name();
+    let files: Vec<_> = entries.into_iter().flatten().map(walkdir::DirEntry::into_path).collect();
+    let files: Vec<_> = files.into_iter().filter(|file| file.to_string_lossy().ends_with(ending)).collect();
     if files.is_empty() {
         bail!("no file matches {pattern}");
     }

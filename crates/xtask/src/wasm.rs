@@ -77,36 +77,19 @@ fn compile(build: Build) -> Result<PathBuf> {
         WasmCompiler::Debian { linker } => (debian_cargo("build", &linker), target.join("debian")),
     };
     command
-        .args([
-            "--package",
-            "levalab-wasm",
-            "--lib",
-            "--target",
-            WASM,
-            "--profile",
-            build.profile(),
-        ])
+        .args(["--package", "levalab-wasm", "--lib", "--target", WASM, "--profile", build.profile()])
         .arg("--target-dir")
         .arg(&target)
         .env("CARGO_ENCODED_RUSTFLAGS", flags());
     told("compiling for the page", || run(&mut command))?;
-    Ok(target
-        .join(WASM)
-        .join(build.profile())
-        .join("levalab_wasm.wasm"))
+    Ok(target.join(WASM).join(build.profile()).join("levalab_wasm.wasm"))
 }
 
 /// Looks for compiler warnings in the page's module with Debian's compiler.
 pub fn debian_check(linker: &Path) -> Result<Command> {
     let mut command = debian_cargo("check", linker);
     command
-        .args([
-            "--package",
-            "levalab-wasm",
-            "--target",
-            WASM,
-            "--target-dir",
-        ])
+        .args(["--package", "levalab-wasm", "--target", WASM, "--target-dir"])
         .arg(project::target()?.join("debian"));
     command.env("CARGO_ENCODED_RUSTFLAGS", "--deny=warnings");
     Ok(command)
@@ -127,9 +110,7 @@ fn debian_cargo(task: &str, linker: &Path) -> Command {
 /// Compiler flags that keep this machine's folders out of the shipped file.
 fn flags() -> OsString {
     let mut flags = OsString::new();
-    let sources = dependency_folders()
-        .into_iter()
-        .chain([project::root().to_path_buf()]);
+    let sources = dependency_folders().into_iter().chain([project::root().to_path_buf()]);
     for folder in sources {
         if !flags.is_empty() {
             flags.push("\u{1f}");
@@ -143,9 +124,7 @@ fn flags() -> OsString {
 
 /// Where cargo unpacks the crates we depend on.
 fn dependency_folders() -> Vec<PathBuf> {
-    let home = env::var_os("CARGO_HOME")
-        .map(PathBuf::from)
-        .or_else(|| Some(env::home_dir()?.join(".cargo")));
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from).or_else(|| Some(env::home_dir()?.join(".cargo")));
     let Some(home) = home else { return Vec::new() };
     let Ok(entries) = fs::read_dir(home.join("registry/src")) else {
         return Vec::new();
@@ -160,12 +139,7 @@ fn stamp(module: &Path, build: Build) -> Result<String> {
     let bytes = fs::read(module).with_context(|| module.display().to_string())?;
     let mut checksum = flate2::Crc::new();
     checksum.update(&bytes);
-    Ok(format!(
-        "{RECIPE} {} {} {:08x}",
-        build.profile(),
-        bytes.len(),
-        checksum.sum()
-    ))
+    Ok(format!("{RECIPE} {} {} {:08x}", build.profile(), bytes.len(), checksum.sum()))
 }
 
 /// Writes the glue and the module beside their places, then moves them in, so that no half-written file is ever served.
@@ -190,23 +164,14 @@ fn write_package(module: &Path, build: Build) -> Result<()> {
 
 fn write_glue(module: &Path, folder: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
-    bindgen
-        .input_path(module)
-        .web(true)?
-        .typescript(true)
-        .omit_default_module_path(false);
-    bindgen
-        .remove_name_section(true)
-        .remove_producers_section(true);
+    bindgen.input_path(module).web(true)?.typescript(true).omit_default_module_path(false);
+    bindgen.remove_name_section(true).remove_producers_section(true);
     bindgen.generate(folder).context("wasm-bindgen")
 }
 
 fn optimise(module: &Path) -> Result<()> {
     let mut command = process::node([project::npm_tool("binaryen/bin/wasm-opt")]);
-    command
-        .arg("-O3")
-        .args(FEATURES)
-        .args(["--strip-producers", "--strip-target-features"]);
+    command.arg("-O3").args(FEATURES).args(["--strip-producers", "--strip-target-features"]);
     command.arg(module).arg("-o").arg(module);
     run(&mut command)
 }
