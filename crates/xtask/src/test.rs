@@ -41,20 +41,12 @@ struct Bench {
 }
 
 const STEPS: [Step; 12] = [
-    Step {
-        name: "format",
-        claim: "Rust is formatted",
-        check: |_| process::run(&mut cargo(["fmt", "--all", "--check"])),
-    },
+    Step { name: "format", claim: "Rust is formatted", check: format },
     Step { name: "clippy", claim: "Rust has no warnings", check: clippy },
     Step { name: "clippy-wasm", claim: "neither has the page's module", check: clippy_wasm },
-    Step {
-        name: "native",
-        claim: "Rust tests and documentation examples hold",
-        check: |_| process::run(&mut cargo(["test", "--workspace"])),
-    },
+    Step { name: "native", claim: "Rust tests and documentation examples hold", check: native },
     Step { name: "rustdoc", claim: "the documentation builds, its links lead somewhere", check: rustdoc },
-    Step { name: "dist", claim: "the page packs and names no other host", check: |bench| bench.packed().map(drop) },
+    Step { name: "dist", claim: "the page packs and names no other host", check: packs },
     Step { name: "wasm", claim: "the shipped module computes what the command line does", check: wasm_against_native },
     Step { name: "types", claim: "JavaScript passes strict type checking", check: types },
     Step { name: "lint", claim: "JavaScript passes eslint", check: lint },
@@ -129,6 +121,10 @@ impl Bench {
     }
 }
 
+fn format(_: &Bench) -> Result<()> {
+    process::run(&mut cargo(["fmt", "--all", "--check"]))
+}
+
 fn clippy(_: &Bench) -> Result<()> {
     process::run(&mut cargo(["clippy", "--workspace", "--all-targets", "--", "--deny", "warnings"]))
 }
@@ -150,9 +146,17 @@ fn clippy_wasm(_: &Bench) -> Result<()> {
     }
 }
 
+fn native(_: &Bench) -> Result<()> {
+    process::run(&mut cargo(["test", "--workspace"]))
+}
+
 fn rustdoc(_: &Bench) -> Result<()> {
     let mut command = cargo(["doc", "--workspace", "--no-deps"]);
     process::run(command.env("RUSTDOCFLAGS", "--deny warnings"))
+}
+
+fn packs(bench: &Bench) -> Result<()> {
+    bench.packed().map(drop)
 }
 
 fn wasm_against_native(bench: &Bench) -> Result<()> {
