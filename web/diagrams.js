@@ -5,8 +5,10 @@
  * @import { Plot } from "./stage/plots.js"
  * @import { Row } from "./stage/overlay.js"
  */
-import { h, s } from "./dom.js";
+import { h } from "./dom.js";
+import { choice } from "./stage/choice.js";
 import { afterKey, stepped, stride, wrap } from "./stage/clock.js";
+import { figure } from "./stage/figure.js";
 import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 import { atTheta, drawOverlay, thetaAt } from "./stage/overlay.js";
@@ -146,7 +148,7 @@ export function mount(root, context) {
       letter.textContent = perSecond ? plot.perSecond : plot.letter;
       name.textContent = title;
       unit.textContent = measure;
-      canvas.setAttribute("aria-label", alternative(plot, title, letter.textContent, measure));
+      canvas.setAttribute("aria-label", alternative(plot, title.charAt(0).toLocaleUpperCase() + title.slice(1), letter.textContent, measure));
     }
   }
 
@@ -244,52 +246,4 @@ export function mount(root, context) {
       return { canvas, svg: lab().svg(diagram, styleOf(plot, paperPalette(), given)) };
     }),
   );
-}
-
-/**
- * One diagram: letter, name, unit and a sample of its line, and its canvas.
- * @param {Plot} plot
- */
-function figure(plot) {
-  const canvas = h("canvas", { class: "diagram-canvas", role: "img" });
-  const letter = h("i", { class: "symbol" });
-  const name = h("span", { class: "diagram-name" });
-  const unit = h("span", { class: "diagram-unit" });
-  const sample = s("svg", { class: "diagram-sample", viewBox: "0 0 34 6", "aria-hidden": "true" }, s("path", { d: "M1 3H33" }));
-  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", {}, h("span", { class: "diagram-measure" }, letter, unit), sample, name), canvas);
-  return { plot, element, canvas, letter, name, unit };
-}
-
-/**
- * A row of radio buttons that looks like one switch.
- * @param {string} name
- * @param {string[]} values
- * @param {(value: string) => void} onchange
- */
-function choice(name, values, onchange) {
-  const legend = h("legend", { class: "unseen" });
-  const options = values.map((value) => {
-    const input = h("input", { type: "radio", name, value, class: "unseen", onchange: () => onchange(value) });
-    const text = h("span");
-    return { value, input, text, label: h("label", {}, input, text) };
-  });
-  const element = h("fieldset", { class: "diagram-choice" }, legend, ...options.map(({ label }) => label));
-  return {
-    element,
-    /**
-     * @param {string} title
-     * @param {(value: string) => string} short
-     * @param {(value: string) => string} long
-     * @param {string} chosen
-     */
-    word(title, short, long, chosen) {
-      legend.textContent = title;
-      for (const { value, input, text, label } of options) {
-        text.textContent = short(value);
-        label.title = long(value);
-        input.setAttribute("aria-label", `${short(value)} (${long(value)})`);
-        input.checked = value === chosen;
-      }
-    },
-  };
 }

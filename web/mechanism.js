@@ -4,12 +4,12 @@
  * @import { Context, State } from "./types.d.ts"
  * @import { View } from "./stage/view.js"
  */
-import { h, s } from "./dom.js";
+import { h } from "./dom.js";
 import { STEP, handle } from "./stage/handling.js";
 import { instant } from "./stage/instant.js";
-import { LAYERS, applies } from "./stage/layers.js";
+import { layersMenu } from "./stage/layers-menu.js";
 import { metered } from "./stage/meter.js";
-import { onAppearance, readPalette } from "./stage/palette.js";
+import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
 import { Pen } from "./stage/pen.js";
 import { Scene } from "./stage/scene.js";
 import { approach, fitView, zoomed } from "./stage/view.js";
@@ -77,6 +77,15 @@ export function mount(root, context) {
   onAppearance(() => {
     pen.palette = readPalette();
     schedule();
+  });
+
+  addEventListener("beforeprint", () => {
+    pen.palette = paperPalette();
+    draw();
+  });
+  addEventListener("afterprint", () => {
+    pen.palette = readPalette();
+    draw();
   });
 
   store.subscribe(["report"], () => {
@@ -218,40 +227,4 @@ export function mount(root, context) {
       }),
     );
   }
-}
-
-/**
- * The menu of layers: a box and a sample of the line for each.
- * @param {Context} context
- */
-function layersMenu({ store, t }) {
-  const title = h("summary");
-  const items = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS)).map((layer) => {
-    const box = h("input", { type: "checkbox", onchange: () => store.set({ layers: { ...store.state.layers, [layer]: box.checked } }) });
-    const sample = s("svg", { class: `stage-sample stage-sample-${layer}`, viewBox: "0 0 28 8", "aria-hidden": "true" }, s("path", { d: "M1 4H27" }));
-    const name = h("span");
-    return { layer, box, name, row: h("label", {}, box, sample, name) };
-  });
-  const root = h("details", { class: "stage-layers" }, title, h("div", { class: "stage-layers-list" }, ...items.map(({ row }) => row)));
-  root.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape" || !root.open) return;
-    root.open = false;
-    title.focus();
-    event.stopPropagation();
-  });
-  document.addEventListener("pointerdown", (event) => {
-    if (root.open && !root.contains(/** @type {Node} */ (event.target))) root.open = false;
-  });
-
-  return {
-    root,
-    update() {
-      title.textContent = t("stage.layers");
-      for (const { layer, box, name, row } of items) {
-        name.textContent = t(`stage.layer.${layer}`);
-        box.checked = store.state.layers[layer] ?? LAYERS[layer];
-        row.hidden = !applies(layer, store.state.report);
-      }
-    },
-  };
 }

@@ -136,8 +136,9 @@ function translating(report, lab) {
     const at = newInstant();
     lab.at(0, at);
     const [nx, ny] = [value(at, AT.normalX), value(at, AT.normalY)];
-    const a = Math.min(from, -half) - 1.4 * t;
-    const b = Math.max(to, half) + 1.4 * t;
+    // The range is told across, the plate may be inclined.
+    const a = Math.min(from / ny, -half) - 1.4 * t;
+    const b = Math.max(to / ny, half) + 1.4 * t;
     const plate = polygon([a * ny, -a * nx], [b * ny, -b * nx], [b * ny + t * nx, -b * nx + t * ny], [a * ny + t * nx, -a * nx + t * ny]);
     return { head: [plate], top: t + Math.max(-a * nx, -b * nx, 0) * (nx === 0 ? 0 : 0.35), side: Math.max(-a, b) };
   }

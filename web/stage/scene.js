@@ -9,17 +9,14 @@
  * @import { Box } from "./view.js"
  */
 import { between, buildCam, drawCam, stretch } from "./cam-part.js";
+import { drawRoller, drawScale, drawSpring } from "./details.js";
 import { dimension, drawDimension } from "./dimensions.js";
 import { buildFollower } from "./follower-part.js";
 import { AT } from "./instant.js";
 import { LAYERS, applies, drawAxes, drawBase, drawNormal, drawOsculating, drawPrime } from "./layers.js";
 import { buildStations, drawStations, stationsReach } from "./stations.js";
-import { include, roundLength } from "./view.js";
+import { include } from "./view.js";
 
-/** Coils of the spring. */
-const COILS = 7;
-/** Longest scale bar, CSS pixels. */
-const SCALE_BAR = 110;
 /** A jump of the cursor over more than this is taken for the passage of 360°, not for a move. */
 const PASSAGE = 180;
 
@@ -132,31 +129,7 @@ export class Scene {
       context.fill(joint);
       context.stroke(joint);
     }
-    if (this.follower.spring) this.#drawSpring(pen, this.follower.spring);
-  }
-
-  /**
-   * @param {Pen} pen
-   * @param {NonNullable<Follower["spring"]>} spring
-   */
-  #drawSpring(pen, spring) {
-    const { context } = pen;
-    const foot = this.#pose.y + spring.foot;
-    pen.screen();
-    const left = pen.x(spring.x - spring.half);
-    const right = pen.x(spring.x + spring.half);
-    const bottom = pen.y(foot);
-    const rise = pen.y(spring.seat) - bottom;
-    context.beginPath();
-    context.moveTo(right, bottom);
-    for (let i = 1; i <= 2 * COILS; i++) context.lineTo(i % 2 ? left : right, bottom + (rise * i) / (2 * COILS));
-    context.lineJoin = "round";
-    // Wire that never fills the gap between its coils.
-    const wire = Math.min(1.5, (-0.3 * rise) / COILS / pen.weight);
-    pen.line(pen.palette.steel, 2.4 * wire);
-    context.stroke();
-    pen.line(pen.palette.camEdge, wire);
-    context.stroke();
+    if (this.follower.spring) drawSpring(pen, this.follower.spring, this.#pose.y);
   }
 
   /**
@@ -171,27 +144,9 @@ export class Scene {
     if (Math.abs(moved) > PASSAGE) this.#turns -= Math.sign(moved);
     this.#theta = theta;
     const spin = between(rolled, theta) + this.#turns * /** @type {number} */ (rolled.at(-1));
-    const { context, palette } = pen;
     const along = this.report.mechanism.arm ?? 0;
     const { x, y, angle } = this.#pose;
-    pen.world(x + along * Math.cos(angle), y + along * Math.sin(angle), spin);
-    context.beginPath();
-    context.arc(0, 0, roller, 0, 2 * Math.PI);
-    context.fillStyle = palette.panel;
-    context.fill();
-    pen.line(palette.camEdge, 1.5);
-    context.stroke();
-    context.beginPath();
-    for (let i = 0; i < 3; i++) {
-      context.moveTo(0, 0);
-      context.lineTo(0.86 * roller * Math.cos((2 * Math.PI * i) / 3), 0.86 * roller * Math.sin((2 * Math.PI * i) / 3));
-    }
-    pen.line(palette.line, 1.25);
-    context.stroke();
-    context.beginPath();
-    context.arc(0, 0, 0.2 * roller, 0, 2 * Math.PI);
-    context.fillStyle = palette.camEdge;
-    context.fill();
+    drawRoller(pen, x + along * Math.cos(angle), y + along * Math.sin(angle), spin, roller);
   }
 
   /**
@@ -250,27 +205,3 @@ export class Scene {
  * @param {Report} report
  */
 const shown = (state, layer, report) => (state.layers[layer] ?? LAYERS[layer]) && applies(layer, report);
-
-/**
- * @param {Pen} pen
- * @param {Report} report
- * @param {Format} format
- * @param {number} height
- */
-function drawScale(pen, report, format, height) {
-  const { context, palette } = pen;
-  const length = roundLength(SCALE_BAR / pen.view.scale);
-  const width = length * pen.view.scale;
-  const y = height - 8;
-  context.beginPath();
-  context.moveTo(10, y - 5);
-  context.lineTo(10, y);
-  context.lineTo(10 + width, y);
-  context.lineTo(10 + width, y - 5);
-  pen.line(palette.muted, 1);
-  context.stroke();
-  context.font = `${palette.size * 0.85}px ${palette.font}`;
-  context.textAlign = "left";
-  context.textBaseline = "alphabetic";
-  pen.text(format.number(length, { unit: report.units.length }), 14, y - 6, palette.muted);
-}
