@@ -9,7 +9,7 @@ import { h } from "./dom.js";
 let sessions = 0;
 
 /** Control and bidirectional characters can disguise a text; they have no place in a title. */
-const UNWANTED = /[\p{Cc}\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu;
+const UNWANTED = /[\p{Cc}\u2028\u2029\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu;
 
 /**
  * @param {string} text
