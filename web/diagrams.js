@@ -43,6 +43,8 @@ export function mount(root, context) {
   let ratio = LEAST_RATIO;
   let width = 0;
   let height = 0;
+  /** @type {{ diagram: Diagram, left: number, top: number, wide: number, tall: number, labels: boolean }[]} */
+  let slots = [];
   /** @type {Row[]} */
   let rows = [];
   let hover = NaN;
@@ -50,6 +52,7 @@ export function mount(root, context) {
   let drawing = false;
 
   new ResizeObserver(() => {
+    measure();
     drawAll();
   }).observe(plots);
   onAppearance(() => {
@@ -58,7 +61,10 @@ export function mount(root, context) {
   });
   store.subscribe(["report", "perSecond", "language", "tab"], (_, changed) => {
     word();
-    if (changed.has("tab")) arrange();
+    if (changed.has("tab")) {
+      arrange();
+      measure();
+    }
     drawAll();
   });
   const moved = metered(drawCursor);
@@ -80,7 +86,6 @@ export function mount(root, context) {
   function arrange() {
     const shown = TABS[store.state.tab];
     for (const { plot, element } of Object.values(figures)) element.hidden = !shown.includes(plot.diagram);
-    plots.dataset["count"] = String(shown.length);
   }
 
   function schedule() {
@@ -88,34 +93,46 @@ export function mount(root, context) {
     drawing = true;
     requestAnimationFrame(() => {
       drawing = false;
+      measure();
       drawAll();
     });
   }
 
-  /** Draws the curves of the chosen tab: once a design, size, theme or language. */
-  function drawAll() {
+  /** Shares the room out among the diagrams: once a size, tab or theme, so that an edit asks the page for no layout. */
+  function measure() {
     width = plots.clientWidth;
     height = plots.clientHeight;
-    if (width === 0 || height === 0 || !ready()) return;
     ratio = Math.min(Math.max(devicePixelRatio, LEAST_RATIO), SHARPEST);
     const shown = TABS[store.state.tab];
     const foot = Math.round(palette.chartSize * FOOT);
     const each = Math.floor((height - foot) / shown.length);
-    rows = shown.map((diagram, i) => {
-      const { plot, element, canvas } = figures[diagram];
-      const labels = i === shown.length - 1;
-      const tall = each + (labels ? foot : 0);
-      element.style.height = `${tall}px`;
-      canvas.style.height = `${tall}px`;
-      const wide = canvas.clientWidth;
-      canvas.width = Math.round(wide * ratio);
-      canvas.height = Math.round(tall * ratio);
-      const { perSecond, language } = store.state;
-      const area = lab().draw(canvas, diagram, styleOf(plot, palette, { width: wide, height: tall, ratio, perSecond, labels, language }));
-      return { area, x: canvas.offsetLeft, y: i * each, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
-    });
+    const { element, canvas } = figures[/** @type {Diagram} */ (shown[0])];
+    // On a phone the caption stands above its diagram instead of beside it.
+    const head = canvas.offsetTop - element.offsetTop;
+    const [left, wide] = [canvas.offsetLeft, canvas.clientWidth];
+    slots = shown.map((diagram, i) => ({ diagram, left, top: i * each + head, wide, tall: each - head + (i === shown.length - 1 ? foot : 0), labels: i === shown.length - 1 }));
+    for (const slot of slots) {
+      const figure = figures[slot.diagram];
+      figure.element.style.height = `${slot.tall + head}px`;
+      figure.canvas.style.height = `${slot.tall}px`;
+      figure.canvas.width = Math.round(wide * ratio);
+      figure.canvas.height = Math.round(slot.tall * ratio);
+    }
     overlay.width = Math.round(width * ratio);
     overlay.height = Math.round(height * ratio);
+  }
+
+  /** Draws the curves of the chosen tab: once a design, size, theme or language. */
+  function drawAll() {
+    if (!ready()) return;
+    if (width === 0 || height === 0) measure();
+    if (width === 0 || height === 0) return;
+    const { perSecond, language } = store.state;
+    rows = slots.map(({ diagram, left, top, wide, tall, labels }) => {
+      const { plot, canvas } = figures[diagram];
+      const area = lab().draw(canvas, diagram, styleOf(plot, palette, { width: wide, height: tall, ratio, perSecond, labels, language }));
+      return { area, x: left, y: top, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
+    });
     drawCursor();
   }
 

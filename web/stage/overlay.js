@@ -5,6 +5,9 @@
  * @import { Palette } from "./palette.js"
  */
 
+/** A wider gap between two diagrams holds a caption, CSS pixels. */
+const CAPTION = 26;
+
 /**
  * @typedef {object} Row  one diagram as it lies under the overlay
  * @property {PlotArea} area
@@ -47,20 +50,18 @@ export function drawOverlay(context, { rows, width, height, ratio, cursor, hover
   const first = rows[0];
   const last = rows.at(-1);
   if (!first || !last) return;
-  const top = first.y + first.area.top;
-  const bottom = last.y + last.area.top + last.area.height;
 
   for (const row of rows) lightUp(context, row, highlight, report, palette);
 
   if (!Number.isNaN(hover)) {
     context.strokeStyle = palette.line;
     context.lineWidth = 1;
-    stroke(context, Math.round(atTheta(first, hover)) + 0.5, top, bottom);
+    through(context, rows, Math.round(atTheta(first, hover)) + 0.5);
   }
   const x = atTheta(first, cursor);
   context.strokeStyle = palette.ink;
   context.lineWidth = Math.max(1.25, palette.stroke * 0.8);
-  stroke(context, x, top, bottom);
+  through(context, rows, x);
 
   for (const row of rows) {
     const { area } = row;
@@ -75,6 +76,22 @@ export function drawOverlay(context, { rows, width, height, ratio, cursor, hover
     context.stroke();
   }
   flag(context, label, x, last, palette);
+}
+
+/**
+ * A line through all diagrams, in one piece unless captions stand between them.
+ * @param {CanvasRenderingContext2D} context
+ * @param {readonly Row[]} rows
+ * @param {number} x
+ */
+function through(context, rows, x) {
+  for (let i = 0; i < rows.length; i++) {
+    const { y, area } = /** @type {Row} */ (rows[i]);
+    const bottom = y + area.top + area.height;
+    const next = rows[i + 1];
+    const reach = next ? next.y + next.area.top : bottom;
+    stroke(context, x, y + area.top, reach - bottom < CAPTION ? reach : bottom);
+  }
 }
 
 /**
