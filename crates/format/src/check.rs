@@ -1,0 +1,237 @@
+//! From a design to a cam: ranges, sums and geometry, every refusal with its place in the design.
+
+use crate::decimal::Decimal;
+use crate::design::to_core;
+use crate::limits::{
+    ANGLE, BETA, MAX_SEGMENTS, MAX_TITLE, OFFSET, RISE, SIZE, SPEED, SUM_ROUNDING, SUM_TOLERANCE, SWING,
+    is_unfit_for_title,
+};
+use crate::{Design, DesignError, Measure, Path, Problem, SegmentDesign};
+use levalab_core::{
+    Cam, Follower, GeometryError, GeometryProblem, MIN_BETA, Parameter, Program, ProgramError, ProgramProblem,
+    Quantity, Segment,
+};
+use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
+
+impl Design {
+    /// Checks everything there is to check and gives the cam, in radians.
+    ///
+    /// # Errors
+    /// Names the first place that is wrong: a title, a number out of range, β's that miss 360°, rises that miss the
+    /// starting height, a law or a geometry that cannot be.
+    pub fn cam(&self) -> Result<Cam, DesignError> {
+        check_title(&self.title)?;
+        check_range(["speed", "value"], self.speed.value, &SPEED, Measure::Speed)?;
+        self.check_geometry()?;
+        let heights = self.check_program()?;
+        let program = Program::new(&self.core_segments(&heights)).map_err(|error| self.program_error(error))?;
+        let mut values = self.values;
+        for (value, parameter) in values.iter_mut().zip(self.follower.parameters) {
+            *value = to_core(parameter, *value);
+        }
+        let follower = Follower::new(self.follower, self.base_radius, values, self.rotation)
+            .map_err(|error| geometry_error(self.follower.parameters, error))?;
+        Ok(Cam::new(program, follower))
+    }
+
+    /// What displacement is measured in.
+    pub(crate) fn travel(&self) -> Measure {
+        if self.is_oscillating() { Measure::Degrees } else { Measure::Length }
+    }
+
+    fn check_geometry(&self) -> Result<(), DesignError> {
+        check_range(["cam", "base_radius"], self.base_radius, &SIZE, Measure::Length)?;
+        for (parameter, &value) in self.follower.parameters.iter().zip(&self.values) {
+            // A length without a natural value is a size; one that is zero unless told is an offset.
+            let range = match parameter.quantity {
+                Quantity::Length if parameter.default.is_none() => SIZE,
+                Quantity::Length => OFFSET,
+                Quantity::Angle => ANGLE,
+                Quantity::Ratio => f64::MIN..=f64::MAX,
+            };
+            check_range(["follower", parameter.key], value, &range, measure_of(parameter))?;
+        }
+        Ok(())
+    }
+
+    /// Checks segments and sums; gives the heights at the borders, the last of them exactly the first.
+    fn check_program(&self) -> Result<Vec<Decimal>, DesignError> {
+        let found = self.segments.len();
+        if found == 0 {
+            return Err(DesignError::at("segments", Problem::NoSegments));
+        }
+        if found > MAX_SEGMENTS {
+            return Err(DesignError::at("segments", Problem::TooManySegments { found, limit: MAX_SEGMENTS }));
+        }
+        for k in 0..found {
+            self.check_segment(k)?;
+        }
+        let turn: Decimal = self.segments.iter().map(|segment| Decimal::of(segment.beta)).sum();
+        if misses(turn - Decimal::of(360.0)) {
+            return Err(DesignError::at("segments", Problem::Turn { found: turn.to_f64() }));
+        }
+        self.check_heights()
+    }
+
+    fn check_segment(&self, k: usize) -> Result<(), DesignError> {
+        let SegmentDesign { law, beta, rise, .. } = self.segments[k];
+        let (here, measure) = (Path::from("segments").join(k), self.travel());
+        check_range(here.join("beta"), beta, &BETA, Measure::Degrees)?;
+        check_range(here.join("rise"), rise, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
+        if law.is_dwell() && rise != 0.0 {
+            return Err(DesignError::at(here.join("rise"), Problem::DwellRises { found: rise, measure }));
+        }
+        let next = (k + 1) % self.segments.len();
+        if law.is_matched() && self.segments[next].law.is_matched() {
+            return Err(DesignError::at(here.join("law"), Problem::AdjacentPolynomials { next }));
+        }
+        Ok(())
+    }
+
+    fn check_heights(&self) -> Result<Vec<Decimal>, DesignError> {
+        let measure = self.travel();
+        let mut heights = vec![Decimal::default()];
+        for (k, segment) in self.segments.iter().enumerate() {
+            let height = heights[k] + Decimal::of(segment.rise);
+            if height < Decimal::default() && misses(height) && k + 1 < self.segments.len() {
+                let here = Path::from("segments").join(k).join("rise");
+                return Err(DesignError::at(here, Problem::BelowBase { found: height.to_f64(), measure }));
+            }
+            heights.push(height);
+        }
+        let last = heights[self.segments.len()];
+        if misses(last) {
+            return Err(DesignError::at("segments", Problem::Closing { found: last.to_f64(), measure }));
+        }
+        if let Some(k) = self.segments.iter().rposition(|segment| !segment.law.is_dwell()) {
+            heights[k + 1..].fill(Decimal::default());
+        }
+        Ok(heights)
+    }
+
+    /// The segments for the core. β and rise are taken from border to border, so that rounding does not add up and the
+    /// program ends exactly where it starts.
+    fn core_segments(&self, heights: &[Decimal]) -> Vec<Segment> {
+        let to_core_rise = |height: f64| if self.is_oscillating() { height.to_radians() } else { height };
+        let last = self.segments.len() - 1;
+        let (mut border, mut theta, mut height) = (Decimal::default(), 0.0, 0.0);
+        let each = self.segments.iter().enumerate().map(|(k, segment)| {
+            border = border + Decimal::of(segment.beta);
+            let end = if k == last { TAU } else { border.to_f64().to_radians() };
+            let beta = (end - theta).max(MIN_BETA);
+            let target = to_core_rise(heights[k + 1].to_f64());
+            let rise = if segment.law.is_dwell() { 0.0 } else { target - height };
+            (theta, height) = (theta + beta, height + rise);
+            let mut parameters = segment.parameters;
+            for (value, parameter) in parameters.iter_mut().zip(segment.law.parameters) {
+                *value = to_core(parameter, *value);
+            }
+            Segment { law: segment.law, beta, rise, parameters }
+        });
+        each.collect()
+    }
+
+    /// A refusal of the core, told in the terms of the design.
+    fn program_error(&self, ProgramError { segment, problem }: ProgramError) -> DesignError {
+        let here = Path::from("segments").join(segment);
+        let measure = self.travel();
+        let edge = |value: f64| if self.is_oscillating() { value.to_degrees() } else { value };
+        let (path, problem) = match problem {
+            ProgramProblem::Count { found: 0 } => ("segments".into(), Problem::NoSegments),
+            ProgramProblem::Count { found } => {
+                ("segments".into(), Problem::TooManySegments { found, limit: MAX_SEGMENTS })
+            }
+            ProgramProblem::Beta { found } => {
+                (here.join("beta"), out_of_range(found.to_degrees(), &BETA, Measure::Degrees))
+            }
+            ProgramProblem::Rise { found } => (here.join("rise"), out_of_range(edge(found), &RISE, measure)),
+            ProgramProblem::DwellRises { found } => {
+                (here.join("rise"), Problem::DwellRises { found: edge(found), measure })
+            }
+            ProgramProblem::AdjacentPolynomials { next } => (here.join("law"), Problem::AdjacentPolynomials { next }),
+            ProgramProblem::Turn { found } => ("segments".into(), Problem::Turn { found: found.to_degrees() }),
+            ProgramProblem::Closing { found } => ("segments".into(), Problem::Closing { found: edge(found), measure }),
+            ProgramProblem::BelowBase { found } => {
+                (here.join("rise"), Problem::BelowBase { found: edge(found), measure })
+            }
+            ProgramProblem::Parameter { key, found, min, max } => {
+                let parameters = self.segments.get(segment).map_or(&[][..], |segment| segment.law.parameters);
+                let (measure, edge) = edge_of(parameters, key);
+                (here.join(key), Problem::OutOfRange { found: edge(found), min: edge(min), max: edge(max), measure })
+            }
+        };
+        DesignError { path, problem }
+    }
+}
+
+fn geometry_error(parameters: &[Parameter], GeometryError { key, problem }: GeometryError) -> DesignError {
+    let path = if key == "base_radius" { Path::from(["cam", key]) } else { Path::from(["follower", key]) };
+    let (measure, edge) = edge_of(parameters, key);
+    let problem = match problem {
+        GeometryProblem::NotFinite => Problem::NotFinite,
+        GeometryProblem::NotPositive { found } => Problem::NotPositive { found: edge(found), measure },
+        GeometryProblem::Outside { found, min, max } => {
+            Problem::NotBetween { found: edge(found), min: edge(min), max: edge(max), measure }
+        }
+        GeometryProblem::Eccentricity { found, prime_radius } => Problem::Eccentricity { found, prime_radius },
+        GeometryProblem::Triangle { pivot_distance, arm, prime_radius } => {
+            Problem::Triangle { pivot_distance, arm, prime_radius }
+        }
+        GeometryProblem::FaceOutOfReach { pivot_distance, needed } => {
+            Problem::FaceOutOfReach { pivot_distance, needed }
+        }
+    };
+    DesignError { path, problem }
+}
+
+fn check_title(title: &str) -> Result<(), DesignError> {
+    let found = title.chars().count();
+    if found > MAX_TITLE {
+        return Err(DesignError::at("title", Problem::TitleTooLong { found, limit: MAX_TITLE }));
+    }
+    match title.chars().position(is_unfit_for_title) {
+        Some(i) => {
+            let found = title.chars().nth(i).unwrap_or_default();
+            Err(DesignError::at("title", Problem::TitleCharacter { found, position: i + 1 }))
+        }
+        None => Ok(()),
+    }
+}
+
+fn check_range(
+    path: impl Into<Path>,
+    found: f64,
+    range: &RangeInclusive<f64>,
+    measure: Measure,
+) -> Result<(), DesignError> {
+    if !found.is_finite() {
+        return Err(DesignError::at(path, Problem::NotFinite));
+    }
+    if found <= 0.0 && *range.start() > 0.0 {
+        return Err(DesignError::at(path, Problem::NotPositive { found, measure }));
+    }
+    if range.contains(&found) { Ok(()) } else { Err(DesignError::at(path, out_of_range(found, range, measure))) }
+}
+
+fn out_of_range(found: f64, range: &RangeInclusive<f64>, measure: Measure) -> Problem {
+    Problem::OutOfRange { found, min: *range.start(), max: *range.end(), measure }
+}
+
+fn misses(difference: Decimal) -> bool {
+    difference.to_f64().abs() > SUM_TOLERANCE + SUM_ROUNDING
+}
+
+fn measure_of(parameter: &Parameter) -> Measure {
+    match parameter.quantity {
+        Quantity::Length => Measure::Length,
+        Quantity::Angle => Measure::Degrees,
+        Quantity::Ratio => Measure::Ratio,
+    }
+}
+
+/// What a parameter measures, and how its values are told.
+fn edge_of(parameters: &[Parameter], key: &str) -> (Measure, fn(f64) -> f64) {
+    let measure = parameters.iter().find(|parameter| parameter.key == key).map_or(Measure::Length, measure_of);
+    (measure, if measure == Measure::Degrees { f64::to_degrees } else { |value| value })
+}

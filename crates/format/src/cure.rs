@@ -1,0 +1,201 @@
+//! What puts a finding right, as numbers that a person would write and as changes to the design file.
+
+use crate::write::{number, segment_value};
+use crate::{Design, DesignError, Path, PathPart, SegmentDesign};
+use levalab_core::{Analysis, Cam, Column, Cure, FindingKind, Law, prescribe};
+use serde::Serialize;
+use serde_json::Value;
+
+/// A change of one value in a design file.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Edit {
+    /// Where it is.
+    pub path: Vec<PathPart>,
+    /// What it becomes.
+    pub value: Value,
+}
+
+/// A cure, told and ready to be applied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignCure {
+    /// What it does, in the units of the design.
+    pub remedy: Remedy,
+    /// How to do it.
+    pub edits: Vec<Edit>,
+}
+
+/// What a cure does, in the units of the design.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Remedy {
+    /// Another base circle.
+    BaseRadius {
+        /// Its radius.
+        value: f64,
+        /// True when the cam has to grow, so that any larger circle is good as well; false when it has to shrink.
+        grows: bool,
+    },
+    /// Another eccentricity.
+    Eccentricity {
+        /// e.
+        value: f64,
+        /// The greatest |φ| that remains, degrees.
+        pressure_angle: f64,
+    },
+    /// Other laws for some segments.
+    Laws {
+        /// Each segment and the law it takes.
+        changes: Vec<(usize, &'static Law)>,
+        /// The lowest of *s*, *v*, *a*, *j* that still jumps somewhere.
+        remaining_jump: Option<Column>,
+    },
+}
+
+/// The cures of each finding of an analysis, in the order of the findings, the best cure first: the numbers rounded to few
+/// digits, and tried again with them.
+#[must_use]
+pub fn cures(design: &Design, cam: &Cam, analysis: &Analysis) -> Vec<Vec<DesignCure>> {
+    let told = |cure: Cure| {
+        let remedy = in_units(design, cam, cure);
+        DesignCure { edits: edits(design, &remedy), remedy }
+    };
+    prescribe(cam, analysis).into_iter().map(|cures| cures.into_iter().map(told).collect()).collect()
+}
+
+/// The design with some changes made.
+///
+/// # Errors
+/// When what comes out is no design, or a change is for a place that the design does not have.
+pub fn apply(design: &Design, edits: &[Edit]) -> Result<Design, DesignError> {
+    let mut value = design.to_value();
+    for edit in edits {
+        let mut place = Some(&mut value);
+        for part in &edit.path {
+            place = place.and_then(|place| match part {
+                PathPart::Key(key) => place.get_mut(key),
+                PathPart::Index(index) => place.get_mut(index),
+            });
+        }
+        match place {
+            Some(place) => *place = edit.value.clone(),
+            None => return Err(DesignError { path: Path(edit.path.clone()), problem: crate::Problem::Missing }),
+        }
+    }
+    Design::from_value(&value)
+}
+
+fn edits(design: &Design, remedy: &Remedy) -> Vec<Edit> {
+    let edit = |path: Path, value: Value| Edit { path: path.0, value };
+    match remedy {
+        Remedy::BaseRadius { value, .. } => vec![edit(["cam", "base_radius"].into(), number(*value))],
+        Remedy::Eccentricity { value, .. } => vec![edit(["follower", "eccentricity"].into(), number(*value))],
+        Remedy::Laws { changes, .. } => {
+            // The whole segment, since the parameters of the old law go and those of the new one come.
+            let change = |&(k, law): &(usize, &'static Law)| {
+                let before = design.segments.get(k)?;
+                let after = SegmentDesign { law, parameters: default_parameters(law), ..*before };
+                Some(edit(Path::from("segments").join(k), segment_value(&after)))
+            };
+            changes.iter().filter_map(change).collect()
+        }
+    }
+}
+
+fn default_parameters(law: &Law) -> [f64; levalab_core::law::MAX_LAW_PARAMETERS] {
+    let mut values = [0.0; levalab_core::law::MAX_LAW_PARAMETERS];
+    for (value, parameter) in values.iter_mut().zip(law.parameters) {
+        *value = crate::design::default_of(parameter).unwrap_or_default();
+    }
+    values
+}
+
+fn in_units(design: &Design, cam: &Cam, cure: Cure) -> Remedy {
+    match cure {
+        Cure::BaseRadius(exact) => {
+            let value = shortest_passing(cam, exact);
+            Remedy::BaseRadius { value, grows: value > design.base_radius }
+        }
+        Cure::Eccentricity { value, pressure_angle } => {
+            let rounded = round(value, DIGITS, f64::round);
+            let moved =
+                cam.follower.kind.index_of("eccentricity").and_then(|i| cam.follower.with_value(i, rounded).ok());
+            let remaining = moved.map_or(pressure_angle, |follower| {
+                let analysis = Analysis::of(&Cam::new(cam.program.clone(), follower), LOOK);
+                analysis.summary.pressure_angle.greatest_size().0
+            });
+            Remedy::Eccentricity { value: rounded, pressure_angle: remaining.to_degrees() }
+        }
+        Cure::Laws { changes, remaining_jump } => {
+            const ORDERS: [Column; 4] = [Column::S, Column::V, Column::A, Column::J];
+            let remaining_jump = remaining_jump.and_then(|order| ORDERS.get(usize::from(order)).copied());
+            Remedy::Laws { changes, remaining_jump }
+        }
+    }
+}
+
+/// Significant digits that a cure is told with, when they are enough for it to be one.
+const DIGITS: i32 = 4;
+
+/// More digits than an `f64` has.
+const ALL_DIGITS: i32 = 17;
+
+/// Steps in which a rounded cure is looked at; the verdict is exact whatever they are.
+const LOOK: usize = 1;
+
+/// The base radius rounded up to the fewest digits, four or more, with which the geometry still passes.
+fn shortest_passing(cam: &Cam, exact: f64) -> f64 {
+    let passes = |&radius: &f64| {
+        let Ok(sized) = cam.with_base_radius(radius) else { return false };
+        let of_the_motion = |kind| matches!(kind, FindingKind::Jump(_) | FindingKind::BelowBase);
+        Analysis::of(&sized, LOOK).findings.iter().all(|finding| of_the_motion(finding.kind))
+    };
+    (DIGITS..ALL_DIGITS).map(|digits| round(exact, digits, f64::ceil)).find(passes).unwrap_or(exact)
+}
+
+/// A number rounded to so many significant digits, by way of its decimal form so that it stays short.
+fn round(value: f64, digits: i32, how: fn(f64) -> f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    let place = value.abs().log10().floor() as i32 + 1 - digits;
+    let units = how(value / 10_f64.powi(place));
+    format!("{units}e{place}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{EXAMPLES, example};
+
+    #[test]
+    fn numbers_are_rounded_in_decimal() {
+        assert_eq!(round(43.281_234, 4, f64::ceil), 43.29);
+        assert_eq!(round(0.201_230_1, 4, f64::ceil), 0.2013);
+        assert_eq!(round(123_456.0, 4, f64::ceil), 123_500.0);
+        assert_eq!(round(-2.345_67, 4, f64::round), -2.346);
+        assert_eq!(round(0.0, 4, f64::round), 0.0);
+    }
+
+    #[test]
+    fn an_applied_cure_removes_its_finding() {
+        let mut cured = 0;
+        for (name, _) in EXAMPLES {
+            let mut design = example(name).expect(name);
+            for shrink in [1.0, 0.5] {
+                design.base_radius *= shrink;
+                let Ok(cam) = design.cam() else { continue };
+                let analysis = Analysis::of(&cam, 1);
+                for (finding, cures) in analysis.findings.iter().zip(cures(&design, &cam, &analysis)) {
+                    for cure in cures {
+                        let after = apply(&design, &cure.edits).expect("a cure gives a design");
+                        let found = Analysis::of(&after.cam().expect("cam"), 1).findings;
+                        let gone = found.iter().all(|other| other.kind != finding.kind);
+                        let eased = matches!(cure.remedy, Remedy::Eccentricity { .. });
+                        assert!(gone || eased, "{name} {:?} {:?}: {found:?}", finding.kind, cure.remedy);
+                        cured += 1;
+                    }
+                }
+            }
+        }
+        assert!(cured > 10, "{cured}");
+    }
+}

@@ -1,0 +1,217 @@
+//! What is wrong with a design, as facts; the words are made in `levalab-words`.
+
+use crate::path::{Path, quoted};
+use std::fmt;
+
+/// Why a design cannot be opened: where, and what is wrong there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignError {
+    /// The place in the design file, such as `segments[2].beta`.
+    pub path: Path,
+    /// What is wrong there.
+    pub problem: Problem,
+}
+
+/// What a number measures, in the units of a design.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// In the design's unit of length.
+    Length,
+    /// In degrees.
+    Degrees,
+    /// A pure number.
+    Ratio,
+    /// In the unit of the speed beside it.
+    Speed,
+}
+
+/// The kinds of JSON value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// `null`, or a number that is not finite where the design comes as an object.
+    Null,
+    /// `true` or `false`.
+    Boolean,
+    /// A number.
+    Number,
+    /// A text in quotes.
+    Text,
+    /// A list in brackets.
+    List,
+    /// An object in braces.
+    Object,
+}
+
+/// What can be wrong with a design. Angles are in degrees and lengths in the unit of the design.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Problem {
+    /// The file is larger than any design.
+    FileTooLarge {
+        /// Its size, bytes.
+        bytes: usize,
+        /// The most that is read.
+        limit: usize,
+    },
+    /// The file is not UTF-8 text.
+    NotText,
+    /// The text is not JSON.
+    NotJson {
+        /// Line where it stops being so, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+    },
+    /// A number too large to be held.
+    NotFinite,
+    /// A value of another kind.
+    WrongKind {
+        /// What there is.
+        found: Kind,
+        /// What there should be.
+        expected: Kind,
+    },
+    /// A field that is needed is not there.
+    Missing,
+    /// A field that has no meaning there.
+    UnknownField {
+        /// The fields that have.
+        expected: Vec<&'static str>,
+    },
+    /// A field that is there twice.
+    DuplicateField,
+    /// A word that is none of the choices.
+    WrongWord {
+        /// The word.
+        found: String,
+        /// The choices.
+        expected: Vec<&'static str>,
+    },
+    /// A number out of its range.
+    OutOfRange {
+        /// The number.
+        found: f64,
+        /// Least that is accepted.
+        min: f64,
+        /// Most that is accepted.
+        max: f64,
+        /// What it measures.
+        measure: Measure,
+    },
+    /// A number that must lie between two others and be neither.
+    NotBetween {
+        /// The number.
+        found: f64,
+        /// It must be more than this.
+        min: f64,
+        /// It must be less than this.
+        max: f64,
+        /// What it measures.
+        measure: Measure,
+    },
+    /// A size that is zero or negative.
+    NotPositive {
+        /// The size.
+        found: f64,
+        /// What it measures.
+        measure: Measure,
+    },
+    /// A title with too many characters.
+    TitleTooLong {
+        /// How many it has.
+        found: usize,
+        /// The most it may have.
+        limit: usize,
+    },
+    /// A title with a character that cannot be seen.
+    TitleCharacter {
+        /// The character.
+        found: char,
+        /// Which one it is, from 1.
+        position: usize,
+    },
+    /// No segments at all.
+    NoSegments,
+    /// More segments than a program may have.
+    TooManySegments {
+        /// How many there are.
+        found: usize,
+        /// The most there may be.
+        limit: usize,
+    },
+    /// A dwell with a rise.
+    DwellRises {
+        /// The rise.
+        found: f64,
+        /// What it measures.
+        measure: Measure,
+    },
+    /// Two polynomials side by side that would take their end conditions from each other.
+    AdjacentPolynomials {
+        /// Index of the other segment.
+        next: usize,
+    },
+    /// The β's do not add up to 360°.
+    Turn {
+        /// Their sum.
+        found: f64,
+    },
+    /// The rises do not lead back to the starting height.
+    Closing {
+        /// The height they lead to.
+        found: f64,
+        /// What it measures.
+        measure: Measure,
+    },
+    /// A segment ends below the base circle.
+    BelowBase {
+        /// The height it ends at.
+        found: f64,
+        /// What it measures.
+        measure: Measure,
+    },
+    /// The eccentricity reaches the prime circle.
+    Eccentricity {
+        /// The eccentricity.
+        found: f64,
+        /// Radius of the prime circle.
+        prime_radius: f64,
+    },
+    /// Arm, pivot distance and prime radius make no triangle.
+    Triangle {
+        /// Pivot distance.
+        pivot_distance: f64,
+        /// Length of the arm.
+        arm: f64,
+        /// Radius of the prime circle.
+        prime_radius: f64,
+    },
+    /// The face cannot touch the base circle from a pivot so near.
+    FaceOutOfReach {
+        /// Pivot distance.
+        pivot_distance: f64,
+        /// It must be more than this.
+        needed: f64,
+    },
+}
+
+impl DesignError {
+    /// An error at a place.
+    #[must_use]
+    pub fn at(path: impl Into<Path>, problem: Problem) -> Self {
+        Self { path: path.into(), problem }
+    }
+}
+
+/// For logs and tests; people read `levalab-words`.
+impl fmt::Display for DesignError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.problem {
+            Problem::WrongWord { found, expected } => {
+                write!(f, "{}: {} is none of {expected:?}", self.path, quoted(found))
+            }
+            problem => write!(f, "{}: {problem:?}", self.path),
+        }
+    }
+}
+
+impl std::error::Error for DesignError {}

@@ -1,0 +1,46 @@
+//! Plate cams as data: the design file, the share link, and reports in the units of a design.
+//!
+//! A [`Design`] is what people work with: degrees, millimetres or inches, revolutions a minute. It is read from a design
+//! file ([`Design::from_json`]) or a share link ([`link::decode`]), both of them strict: what is not understood is refused
+//! with its place and its reason ([`DesignError`]), never guessed. [`Design::cam`] gives the cam of `levalab-core`, and
+//! [`report`] brings the analysis back into the units of the design.
+//!
+//! ```
+//! use levalab_format::{Design, EXAMPLES, link};
+//!
+//! let (_, json) = EXAMPLES[0];
+//! let design = Design::from_json(json)?;
+//! let text = link::encode(&design).unwrap();
+//! assert_eq!(link::decode(&text).unwrap(), design);
+//! # Ok::<(), levalab_format::DesignError>(())
+//! ```
+//!
+//! Both formats are versioned, and every version ever published keeps opening. Laws and followers are those that the core
+//! lists; the only thing to add here for a new one is its letter in the link ([`link::LAW_CODES`]).
+//!
+//! Not here: words for people, files on disk.
+
+mod check;
+mod cure;
+mod decimal;
+mod design;
+mod error;
+mod examples;
+mod json;
+pub mod limits;
+pub mod link;
+mod path;
+mod read;
+pub mod report;
+#[cfg(any(test, feature = "testing"))]
+pub mod testing;
+mod units;
+mod write;
+
+pub use cure::{DesignCure, Edit, Remedy, apply, cures};
+pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
+pub use error::{DesignError, Kind, Measure, Problem};
+pub use examples::{EXAMPLES, example};
+pub use path::{Path, PathPart, quoted};
+pub use units::{LengthUnit, SpeedUnit};
+pub use write::FORMAT;

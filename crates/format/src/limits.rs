@@ -1,0 +1,58 @@
+//! What a design may hold at most, and why: a design may come from anywhere, so its size and range are bounded before
+//! anything is computed.
+
+use std::ops::RangeInclusive;
+
+pub use levalab_core::MAX_SEGMENTS;
+
+/// Largest design file that is read, bytes: a hundred times the largest that the limits below allow.
+pub const MAX_FILE_BYTES: usize = 1 << 20;
+
+/// Longest title, characters: what fits a line of a diagram.
+pub const MAX_TITLE: usize = 64;
+
+/// Longest link that is opened, characters.
+pub const MAX_LINK_OPENED: usize = 8192;
+
+/// Longest link that is made, characters: what chat programs, mail readers and QR codes still carry whole.
+pub const MAX_LINK_MADE: usize = 2000;
+
+/// Sizes (radii, arms, distances), in the unit of the design: from a nanometre in mm to a kilometre, beyond any cam, and
+/// with room for the cubes and fifth powers of the formulas in an `f64`.
+pub const SIZE: RangeInclusive<f64> = 1e-6..=1e6;
+
+/// Lengths that may be negative or zero (eccentricity, offsets): as large as sizes.
+pub const OFFSET: RangeInclusive<f64> = -1e6..=1e6;
+
+/// Rises of a translating follower: as large as sizes.
+pub const RISE: RangeInclusive<f64> = -1e6..=1e6;
+
+/// Rises of an oscillating follower, degrees: half a turn to either side.
+pub const SWING: RangeInclusive<f64> = -180.0..=180.0;
+
+/// β, degrees: from a thousandth of a degree, below what any cam grinder divides, to a turn.
+pub const BETA: RangeInclusive<f64> = 1e-3..=360.0;
+
+/// Angles that place a follower, degrees: a turn to either side.
+pub const ANGLE: RangeInclusive<f64> = -360.0..=360.0;
+
+/// Speed in any of its units: above a turn in a few hundred years, below what holds together.
+pub const SPEED: RangeInclusive<f64> = 1e-9..=1e9;
+
+/// How far the β's may miss 360°, and the rises the starting height, in degrees or in the unit of the design.
+pub const SUM_TOLERANCE: f64 = 1e-9;
+
+/// What adding numbers near 360 may round away: a sum that misses by exactly [`SUM_TOLERANCE`] still passes.
+pub const SUM_ROUNDING: f64 = 1e-12;
+
+/// True for a character that turns the direction of the text after it, and so can make a title read as another.
+#[must_use]
+pub fn is_bidirectional(c: char) -> bool {
+    matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// True for a character that a title may not hold: controls, line and paragraph separators, changes of direction.
+#[must_use]
+pub fn is_unfit_for_title(c: char) -> bool {
+    c.is_control() || is_bidirectional(c) || matches!(c, '\u{2028}' | '\u{2029}')
+}

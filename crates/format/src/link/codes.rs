@@ -1,0 +1,115 @@
+//! The letters that stand for laws, followers and units in a link. Once published, a letter is never given to another.
+
+use crate::{LengthUnit, SpeedUnit};
+use levalab_core::{FOLLOWERS, FollowerKind, LAWS, Law};
+
+/// Law and code: a capital, and small letters where several laws are of one family.
+pub const LAW_CODES: &[(&str, &str)] = &[
+    ("dwell", "D"),
+    ("constant-velocity", "V"),
+    ("parabolic", "P"),
+    ("cubic-1", "K"),
+    ("cubic-2", "Kb"),
+    ("simple-harmonic", "H"),
+    ("double-harmonic", "Hd"),
+    ("half-harmonic-start", "Ha"),
+    ("half-harmonic-end", "Hb"),
+    ("cycloidal", "C"),
+    ("half-cycloidal-start", "Ca"),
+    ("half-cycloidal-end", "Cb"),
+    ("polynomial-3-4-5", "Q"),
+    ("polynomial-5", "Qm"),
+    ("polynomial-4-5-6-7", "S"),
+    ("polynomial-7", "Sm"),
+    ("modified-trapezoidal", "T"),
+    ("modified-sine", "M"),
+    ("scca", "X"),
+];
+
+/// Follower and code: a capital, as for laws.
+pub const FOLLOWER_CODES: &[(&str, &str)] = &[
+    ("translating-roller", "R"),
+    ("translating-knife", "K"),
+    ("translating-curved", "C"),
+    ("translating-flat", "F"),
+    ("oscillating-roller", "A"),
+    ("oscillating-flat", "O"),
+];
+
+const LENGTH_UNIT_CODES: [(LengthUnit, &str); 3] =
+    [(LengthUnit::Centimetre, "c"), (LengthUnit::Metre, "m"), (LengthUnit::Inch, "i")];
+
+const SPEED_UNIT_CODES: [(SpeedUnit, &str); 2] =
+    [(SpeedUnit::RevolutionsPerMinute, "m"), (SpeedUnit::RevolutionsPerSecond, "s")];
+
+pub(super) fn of_law(law: &Law) -> &'static str {
+    code_of(LAW_CODES, law.id)
+}
+
+pub(super) fn of_follower(kind: &FollowerKind) -> &'static str {
+    code_of(FOLLOWER_CODES, kind.id)
+}
+
+/// Empty for millimetres.
+pub(super) fn of_length_unit(unit: LengthUnit) -> &'static str {
+    LENGTH_UNIT_CODES.iter().find(|entry| entry.0 == unit).map_or("", |entry| entry.1)
+}
+
+/// Empty for rad/s.
+pub(super) fn of_speed_unit(unit: SpeedUnit) -> &'static str {
+    SPEED_UNIT_CODES.iter().find(|entry| entry.0 == unit).map_or("", |entry| entry.1)
+}
+
+pub(super) fn law(code: &str) -> Option<&'static Law> {
+    LAWS.iter().copied().find(|law| of_law(law) == code)
+}
+
+pub(super) fn follower(code: &str) -> Option<&'static FollowerKind> {
+    FOLLOWERS.iter().copied().find(|kind| of_follower(kind) == code)
+}
+
+pub(super) fn length_unit(code: char) -> Option<LengthUnit> {
+    LENGTH_UNIT_CODES.iter().find(|entry| entry.1.starts_with(code)).map(|entry| entry.0)
+}
+
+pub(super) fn speed_unit(code: char) -> Option<SpeedUnit> {
+    SPEED_UNIT_CODES.iter().find(|entry| entry.1.starts_with(code)).map(|entry| entry.0)
+}
+
+/// No code makes a link that does not open, which the test below rules out.
+fn code_of(table: &[(&str, &'static str)], id: &str) -> &'static str {
+    table.iter().find(|entry| entry.0 == id).map_or("", |entry| entry.1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(table: &[(&str, &str)], ids: &[&str]) {
+        for id in ids {
+            assert_eq!(table.iter().filter(|entry| entry.0 == *id).count(), 1, "{id} has one code");
+        }
+        for (i, (id, code)) in table.iter().enumerate() {
+            assert!(ids.contains(id), "{id} is no more");
+            assert!(table[..i].iter().all(|other| other.1 != *code), "{code} stands for one thing");
+            let mut letters = code.chars();
+            assert!(letters.next().is_some_and(|c| c.is_ascii_uppercase()) && letters.all(|c| c.is_ascii_lowercase()));
+        }
+    }
+
+    #[test]
+    fn every_law_and_follower_has_a_code_of_its_own() {
+        check(LAW_CODES, &LAWS.iter().map(|law| law.id).collect::<Vec<_>>());
+        check(FOLLOWER_CODES, &FOLLOWERS.iter().map(|kind| kind.id).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn every_unit_but_the_usual_one_has_a_code() {
+        for unit in LengthUnit::ALL {
+            assert_eq!(of_length_unit(unit).is_empty(), unit == LengthUnit::default());
+        }
+        for unit in SpeedUnit::ALL {
+            assert_eq!(of_speed_unit(unit).is_empty(), unit == SpeedUnit::default());
+        }
+    }
+}

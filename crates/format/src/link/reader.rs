@@ -1,0 +1,124 @@
+//! Reads the fields of a link whose checksum has matched.
+
+use super::{LinkError, codes, defaults_of, title};
+use crate::limits::MAX_SEGMENTS;
+use crate::{Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed};
+use levalab_core::Rotation;
+
+/// Reads title, follower, options and segments.
+///
+/// It need not refuse other spellings of the same design: the caller compares with the one that would be written.
+pub(super) fn read(fields: &str) -> Result<Design, LinkError> {
+    let mut fields = Fields(fields);
+    let design = fields.design().ok_or(LinkError::Unreadable)?;
+    if design.segments.len() > MAX_SEGMENTS {
+        let problem = Problem::TooManySegments { found: design.segments.len(), limit: MAX_SEGMENTS };
+        return Err(LinkError::Design(DesignError::at("segments", problem)));
+    }
+    if fields.0.is_empty() { Ok(design) } else { Err(LinkError::Unreadable) }
+}
+
+/// What is left to read.
+struct Fields<'a>(&'a str);
+
+impl<'a> Fields<'a> {
+    fn design(&mut self) -> Option<Design> {
+        let (title, rest) = self.0.split_once('.')?;
+        let title = title::read(title)?;
+        self.0 = rest;
+        let follower = codes::follower(self.code()?)?;
+        let base_radius = self.number()?;
+        let values = self.values(defaults_of(follower.parameters))?;
+        let length_unit = self.length_unit()?;
+        let speed = self.speed()?;
+        let rotation = if self.take('c') { Rotation::Clockwise } else { Rotation::CounterClockwise };
+        let mut segments = Vec::new();
+        while !self.0.is_empty() && segments.len() <= MAX_SEGMENTS {
+            segments.push(self.segment()?);
+        }
+        Some(Design { title, length_unit, speed, rotation, base_radius, follower, values, segments })
+    }
+
+    fn length_unit(&mut self) -> Option<LengthUnit> {
+        if !self.take('u') {
+            return Some(LengthUnit::default());
+        }
+        codes::length_unit(self.next()?)
+    }
+
+    fn speed(&mut self) -> Option<Speed> {
+        if !self.take('w') {
+            return Some(Speed::default());
+        }
+        let value = self.number()?;
+        let unit = self.0.chars().next().and_then(codes::speed_unit);
+        if unit.is_some() {
+            self.next();
+        }
+        Some(Speed { value, unit: unit.unwrap_or_default() })
+    }
+
+    fn segment(&mut self) -> Option<SegmentDesign> {
+        let law = codes::law(self.code()?)?;
+        let beta = self.number()?;
+        let [rise] = self.values([Some(0.0)].into_iter())?;
+        let parameters = self.values(defaults_of(law.parameters))?;
+        Some(SegmentDesign { law, beta, rise, parameters })
+    }
+
+    /// Signed values, as many as there are defaults; those not told are at their defaults.
+    fn values<const N: usize>(&mut self, defaults: impl Iterator<Item = Option<f64>>) -> Option<[f64; N]> {
+        let mut values = [0.0; N];
+        for (value, default) in values.iter_mut().zip(defaults) {
+            *value = if self.take('_') {
+                self.number()?
+            } else if self.take('-') {
+                -self.number()?
+            } else {
+                default?
+            };
+        }
+        Some(values)
+    }
+
+    /// A capital and the small letters after it.
+    fn code(&mut self) -> Option<&'a str> {
+        self.0.starts_with(|c: char| c.is_ascii_uppercase()).then_some(())?;
+        let end = self.0[1..].find(|c: char| !c.is_ascii_lowercase()).map_or(self.0.len(), |end| end + 1);
+        Some(self.split(end))
+    }
+
+    /// Digits, a point among them perhaps, and a power of ten perhaps.
+    fn number(&mut self) -> Option<f64> {
+        let text = self.0;
+        let digits =
+            |from: usize| text[from..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |length| from + length);
+        let mut end = digits(0);
+        if text[end..].starts_with('.') {
+            end = digits(end + 1);
+        }
+        if text[end..].starts_with('e') {
+            let sign = usize::from(text[end + 1..].starts_with('-'));
+            end = digits(end + 1 + sign);
+        }
+        self.split(end).parse().ok()
+    }
+
+    fn take(&mut self, c: char) -> bool {
+        let rest = self.0.strip_prefix(c);
+        self.0 = rest.unwrap_or(self.0);
+        rest.is_some()
+    }
+
+    fn next(&mut self) -> Option<char> {
+        let c = self.0.chars().next()?;
+        self.0 = &self.0[c.len_utf8()..];
+        Some(c)
+    }
+
+    fn split(&mut self, at: usize) -> &'a str {
+        let (taken, rest) = self.0.split_at(at);
+        self.0 = rest;
+        taken
+    }
+}

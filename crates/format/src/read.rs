@@ -1,0 +1,215 @@
+//! A design from JSON: every field known, every kind right, nothing left to guess.
+
+use crate::design::{default_of, motion_and_contact};
+use crate::limits::MAX_SEGMENTS;
+use crate::write::{FORMAT, KIND, ROTATIONS};
+use crate::{Design, DesignError, Kind, LengthUnit, Path, Problem, SegmentDesign, Speed, SpeedUnit, json};
+use levalab_core::law::MAX_LAW_PARAMETERS;
+use levalab_core::{Cam, FOLLOWERS, FollowerKind, LAWS, Law, MAX_FOLLOWER_PARAMETERS, Parameter};
+use serde_json::{Map, Value};
+
+impl Design {
+    /// Reads a design file.
+    ///
+    /// # Errors
+    /// Says where the text is not a design, and why.
+    pub fn from_json(text: &str) -> Result<Self, DesignError> {
+        Self::from_value(&json::parse(text)?)
+    }
+
+    /// Reads the bytes of a design file.
+    ///
+    /// # Errors
+    /// As [`Design::from_json`], and when the bytes are not UTF-8 text.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, DesignError> {
+        let not_text = |_| DesignError { path: Path::default(), problem: Problem::NotText };
+        Self::from_json(std::str::from_utf8(bytes).map_err(not_text)?)
+    }
+
+    /// Reads a design from the object that a design file holds.
+    ///
+    /// # Errors
+    /// As [`Design::from_json`].
+    pub fn from_value(value: &Value) -> Result<Self, DesignError> {
+        Self::open(value).map(|(design, _)| design)
+    }
+
+    /// Reads a design and gives its cam along with it, since checking the one makes the other.
+    ///
+    /// # Errors
+    /// As [`Design::from_json`].
+    pub fn open(value: &Value) -> Result<(Self, Cam), DesignError> {
+        let design = read(value)?;
+        let cam = design.cam()?;
+        Ok((design, cam))
+    }
+}
+
+fn read(value: &Value) -> Result<Design, DesignError> {
+    let file = Object::any(value, Path::default())?;
+    file.word("format", &[FORMAT])?;
+    file.only(&["format", "title", "length_unit", "speed", "cam", "follower", "segments"])?;
+    let units = LengthUnit::ALL.map(LengthUnit::symbol);
+    let length_unit = match file.fields.contains_key("length_unit") {
+        true => LengthUnit::ALL[file.word("length_unit", &units)?],
+        false => LengthUnit::default(),
+    };
+    let cam = file.object("cam")?;
+    cam.word("kind", &[KIND])?;
+    cam.only(&["kind", "rotation", "base_radius"])?;
+    let rotation = match cam.fields.contains_key("rotation") {
+        true => ROTATIONS[cam.word("rotation", &ROTATIONS.map(|(word, _)| word))?].1,
+        false => ROTATIONS[0].1,
+    };
+    let (follower, values) = read_follower(&file.object("follower")?)?;
+    Ok(Design {
+        title: file.optional("title").map_or(Ok(String::new()), |title| title.text())?,
+        length_unit,
+        speed: read_speed(&file)?,
+        rotation,
+        base_radius: cam.required("base_radius")?.number()?,
+        follower,
+        values,
+        segments: read_segments(&file)?,
+    })
+}
+
+fn read_speed(file: &Object) -> Result<Speed, DesignError> {
+    if !file.fields.contains_key("speed") {
+        return Ok(Speed::default());
+    }
+    let speed = file.object("speed")?;
+    speed.only(&["value", "unit"])?;
+    let unit = SpeedUnit::ALL[speed.word("unit", &SpeedUnit::ALL.map(SpeedUnit::symbol))?];
+    Ok(Speed { value: speed.required("value")?.number()?, unit })
+}
+
+fn read_follower(follower: &Object) -> Result<(&'static FollowerKind, [f64; MAX_FOLLOWER_PARAMETERS]), DesignError> {
+    let mut motions: Vec<&'static str> = FOLLOWERS.iter().map(|kind| motion_and_contact(kind).0).collect();
+    motions.dedup();
+    let motion = motions[follower.word("motion", &motions)?];
+    let kinds: Vec<_> = FOLLOWERS.iter().copied().filter(|kind| motion_and_contact(kind).0 == motion).collect();
+    let contacts: Vec<&'static str> = kinds.iter().map(|kind| motion_and_contact(kind).1).collect();
+    let kind = kinds[follower.word("contact", &contacts)?];
+    let values = follower.parameters(&["motion", "contact"], kind.parameters)?;
+    Ok((kind, values))
+}
+
+fn read_segments(file: &Object) -> Result<Vec<SegmentDesign>, DesignError> {
+    let list = file.required("segments")?;
+    let Value::Array(items) = list.value else { return Err(list.wrong_kind(Kind::List)) };
+    if items.len() > MAX_SEGMENTS {
+        let problem = Problem::TooManySegments { found: items.len(), limit: MAX_SEGMENTS };
+        return Err(DesignError { path: list.path, problem });
+    }
+    let each = items.iter().enumerate().map(|(k, item)| read_segment(&Object::any(item, list.path.join(k))?));
+    each.collect()
+}
+
+fn read_segment(segment: &Object) -> Result<SegmentDesign, DesignError> {
+    let ids: Vec<&'static str> = LAWS.iter().map(|law| law.id).collect();
+    let law: &'static Law = LAWS[segment.word("law", &ids)?];
+    let parameters: [f64; MAX_LAW_PARAMETERS] = segment.parameters(&["law", "beta", "rise"], law.parameters)?;
+    let beta = segment.required("beta")?.number()?;
+    let rise = match segment.optional("rise") {
+        None if law.is_dwell() => 0.0,
+        _ => segment.required("rise")?.number()?,
+    };
+    Ok(SegmentDesign { law, beta, rise, parameters })
+}
+
+/// A value with its place.
+struct Field<'a> {
+    path: Path,
+    value: &'a Value,
+}
+
+impl Field<'_> {
+    /// A number; −0 becomes 0, so that equal designs are written alike.
+    fn number(&self) -> Result<f64, DesignError> {
+        self.value.as_f64().map(|value| value + 0.0).ok_or_else(|| self.wrong_kind(Kind::Number))
+    }
+
+    fn text(&self) -> Result<String, DesignError> {
+        self.value.as_str().map(str::to_owned).ok_or_else(|| self.wrong_kind(Kind::Text))
+    }
+
+    fn wrong_kind(&self, expected: Kind) -> DesignError {
+        let found = match self.value {
+            Value::Null => Kind::Null,
+            Value::Bool(_) => Kind::Boolean,
+            Value::Number(_) => Kind::Number,
+            Value::String(_) => Kind::Text,
+            Value::Array(_) => Kind::List,
+            Value::Object(_) => Kind::Object,
+        };
+        DesignError { path: self.path.clone(), problem: Problem::WrongKind { found, expected } }
+    }
+}
+
+/// An object with its place.
+struct Object<'a> {
+    path: Path,
+    fields: &'a Map<String, Value>,
+}
+
+impl<'a> Object<'a> {
+    fn any(value: &'a Value, path: Path) -> Result<Self, DesignError> {
+        match value {
+            Value::Object(fields) => Ok(Self { path, fields }),
+            _ => Err(Field { path, value }.wrong_kind(Kind::Object)),
+        }
+    }
+
+    fn optional(&self, key: &str) -> Option<Field<'a>> {
+        self.fields.get(key).map(|value| Field { path: self.path.join(key), value })
+    }
+
+    fn required(&self, key: &str) -> Result<Field<'a>, DesignError> {
+        self.optional(key).ok_or_else(|| DesignError { path: self.path.join(key), problem: Problem::Missing })
+    }
+
+    fn object(&self, key: &str) -> Result<Self, DesignError> {
+        let field = self.required(key)?;
+        Self::any(field.value, field.path)
+    }
+
+    /// Which of the choices a field names.
+    fn word(&self, key: &str, choices: &[&'static str]) -> Result<usize, DesignError> {
+        let field = self.required(key)?;
+        let found = field.text()?;
+        choices.iter().position(|&choice| choice == found).ok_or_else(|| DesignError {
+            path: field.path,
+            problem: Problem::WrongWord { found, expected: choices.to_vec() },
+        })
+    }
+
+    /// Refuses fields that have no meaning here.
+    fn only(&self, known: &[&'static str]) -> Result<(), DesignError> {
+        match self.fields.keys().find(|key| !known.contains(&key.as_str())) {
+            Some(key) => {
+                let problem = Problem::UnknownField { expected: known.to_vec() };
+                Err(DesignError { path: self.path.join(key.as_str()), problem })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The parameters of a law or follower, which with the `shared` fields are all there may be.
+    fn parameters<const N: usize>(
+        &self,
+        shared: &[&'static str],
+        parameters: &[Parameter],
+    ) -> Result<[f64; N], DesignError> {
+        let known: Vec<&'static str> = shared.iter().copied().chain(parameters.iter().map(|p| p.key)).collect();
+        self.only(&known)?;
+        let mut values = [0.0; N];
+        for (value, parameter) in values.iter_mut().zip(parameters) {
+            *value = match default_of(parameter) {
+                Some(default) if parameter.optional && !self.fields.contains_key(parameter.key) => default,
+                _ => self.required(parameter.key)?.number()?,
+            };
+        }
+        Ok(values)
+    }
+}

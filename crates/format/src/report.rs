@@ -1,0 +1,243 @@
+//! An analysis in the units of the design: degrees for angles, and for the displacement of a follower that swings.
+//!
+//! Both the page and the command line show what is here and nothing else.
+
+use crate::Design;
+use crate::decimal::Decimal;
+use levalab_core::{Analysis, Cam, Column, Extremes, Finding, FindingKind, Joint, Level};
+use serde::{Serialize, Serializer};
+
+/// What an analysis says, in the units of the design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// The verdict.
+    pub level: Level,
+    /// What is wrong, the worst first.
+    pub findings: Vec<DesignFinding>,
+    /// Extremes by the name of their column; those that do not apply are absent.
+    pub summary: Vec<(&'static str, Range)>,
+    /// Every joint between smooth pieces, those within laws as well.
+    pub joints: Vec<DesignJoint>,
+    /// θ of the borders of the segments, degrees, from 0 to 360: one more than there are segments.
+    pub borders: Vec<f64>,
+}
+
+/// Where a quantity is least and greatest; θ in degrees.
+///
+/// ρ has no bounds where the profile is straight for an instant; such a bound is infinite, and is written as nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Range {
+    /// Least value.
+    #[serde(serialize_with = "finite")]
+    pub min: f64,
+    /// Where it is.
+    pub min_at: f64,
+    /// Greatest value.
+    #[serde(serialize_with = "finite")]
+    pub max: f64,
+    /// Where it is.
+    pub max_at: f64,
+}
+
+/// Something wrong with a cam, in the units of the design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignFinding {
+    /// What is wrong.
+    pub kind: FindingKind,
+    /// Where it is worst, degrees.
+    pub theta: f64,
+    /// Where it begins and ends, degrees, when it is a stretch; the end is beyond 360 when it passes through 0.
+    pub interval: Option<[f64; 2]>,
+    /// All its places, degrees.
+    pub places: Vec<f64>,
+    /// How much, in the unit of what is measured; none when there is nothing to measure.
+    pub value: Option<f64>,
+    /// The limit that it passes.
+    pub limit: Option<f64>,
+}
+
+/// A joint between smooth pieces of the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DesignJoint {
+    /// Where it is, degrees.
+    pub theta: f64,
+    /// The segment that begins there, or within which it lies.
+    pub segment: usize,
+    /// The lowest of *s*, *v*, *a*, *j* that jumps there.
+    pub jump: Option<Column>,
+}
+
+impl Report {
+    /// What an analysis of the design's cam says.
+    #[must_use]
+    pub fn of(design: &Design, cam: &Cam, analysis: &Analysis) -> Self {
+        Self {
+            level: analysis.level,
+            findings: analysis.findings.iter().map(|finding| finding_of(design, finding)).collect(),
+            summary: summary_of(design, analysis),
+            joints: cam.program.classified_joints().iter().map(joint_of).collect(),
+            borders: borders_of(design),
+        }
+    }
+
+    /// The extremes of a column.
+    #[must_use]
+    pub fn range(&self, column: Column) -> Option<Range> {
+        self.summary.iter().find(|(name, _)| *name == column.name()).map(|(_, range)| *range)
+    }
+}
+
+/// A column in the units of the design, or nothing when it does not apply to the follower.
+#[must_use]
+pub fn column(design: &Design, analysis: &Analysis, column: Column) -> Option<Vec<f64>> {
+    let values = analysis.column(column)?;
+    if column == Column::Theta {
+        // From the count and not from the radians, so that 143° is 143.
+        let steps = (values.len() - 1).max(1) as f64;
+        return Some((0..values.len()).map(|i| 360.0 * i as f64 / steps).collect());
+    }
+    let scale = scale_of(design, column);
+    // Adding 0 makes 0 of −0.
+    Some(values.iter().map(|value| value * scale + 0.0).collect())
+}
+
+/// Every column that applies, with its name, in the order of reports.
+#[must_use]
+pub fn columns(design: &Design, analysis: &Analysis) -> Vec<(&'static str, Vec<f64>)> {
+    let each = Column::ALL.into_iter().map(|name| column(design, analysis, name).map(|values| (name.name(), values)));
+    each.flatten().collect()
+}
+
+/// Degrees from radians, without the last digits that the conversion makes up: θ is never known better than this.
+#[must_use]
+pub fn degrees(theta: f64) -> f64 {
+    tidy(theta.to_degrees())
+}
+
+/// Ten decimals.
+fn tidy(value: f64) -> f64 {
+    const PARTS: f64 = 1e10;
+    if value.abs() < PARTS / 1e4 { (value * PARTS).round() / PARTS + 0.0 } else { value }
+}
+
+/// What a value of a column is multiplied by.
+#[must_use]
+pub fn scale_of(design: &Design, column: Column) -> f64 {
+    let degree = 1_f64.to_degrees();
+    match column {
+        Column::Theta | Column::PressureAngle => degree,
+        Column::S | Column::V | Column::A | Column::J if design.is_oscillating() => degree,
+        _ => 1.0,
+    }
+}
+
+fn summary_of(design: &Design, analysis: &Analysis) -> Vec<(&'static str, Range)> {
+    let summary = &analysis.summary;
+    let all = [
+        (Column::S, Some(summary.s)),
+        (Column::V, Some(summary.v)),
+        (Column::A, Some(summary.a)),
+        (Column::J, Some(summary.j)),
+        (Column::PressureAngle, Some(summary.pressure_angle)),
+        (Column::Rho, Some(summary.rho)),
+        (Column::RhoPitch, summary.rho_pitch),
+        (Column::Contact, summary.reach),
+    ];
+    let range = |column: Column, Extremes { min, min_at, max, max_at }| {
+        let scale = scale_of(design, column);
+        Range { min: min * scale + 0.0, min_at: degrees(min_at), max: max * scale + 0.0, max_at: degrees(max_at) }
+    };
+    all.into_iter().filter_map(|(column, extremes)| Some((column.name(), range(column, extremes?)))).collect()
+}
+
+fn finding_of(design: &Design, finding: &Finding) -> DesignFinding {
+    let scale = match finding.kind {
+        FindingKind::Jump(_) | FindingKind::BelowBase => Some(scale_of(design, Column::S)),
+        FindingKind::PressureAngle => Some(scale_of(design, Column::PressureAngle)),
+        FindingKind::Cusp
+        | FindingKind::Undercut
+        | FindingKind::ConcaveFlat
+        | FindingKind::ArmCutsCam
+        | FindingKind::PivotInsideCam
+        | FindingKind::FaceOvertaken
+        | FindingKind::ContactPastPivot => Some(1.0),
+        FindingKind::SelfCrossing => None,
+    };
+    let measured = |value: f64| scale.map(|scale| value * scale + 0.0).filter(|value| value.is_finite());
+    DesignFinding {
+        kind: finding.kind,
+        theta: degrees(finding.theta),
+        interval: finding.interval.map(|(from, to)| [degrees(from), degrees(to)]),
+        places: finding.places.iter().copied().map(degrees).collect(),
+        value: measured(finding.value),
+        // A limit of 30° is 30, and not what its radians come to.
+        limit: measured(finding.limit).map(tidy),
+    }
+}
+
+fn joint_of(joint: &Joint) -> DesignJoint {
+    const ORDERS: [Column; 4] = [Column::S, Column::V, Column::A, Column::J];
+    let jump = joint.jump.and_then(|order| ORDERS.get(usize::from(order)).copied());
+    DesignJoint { theta: degrees(joint.theta), segment: joint.segment, jump }
+}
+
+fn borders_of(design: &Design) -> Vec<f64> {
+    let mut theta = Decimal::default();
+    let mut borders = vec![0.0];
+    for segment in &design.segments {
+        theta = theta + Decimal::of(segment.beta);
+        borders.push(theta.to_f64());
+    }
+    if let Some(last) = borders.last_mut() {
+        *last = 360.0;
+    }
+    borders
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes fields by reference")]
+fn finite<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    value.is_finite().then_some(value).serialize(serializer)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::example;
+
+    fn report(name: &str) -> (Design, Analysis, Report) {
+        let design = example(name).expect(name);
+        let cam = design.cam().expect(name);
+        let analysis = Analysis::of(&cam, 360);
+        let report = Report::of(&design, &cam, &analysis);
+        (design, analysis, report)
+    }
+
+    #[test]
+    fn angles_are_degrees_and_swings_too() {
+        let (design, analysis, report) = report("2RO");
+        let range = report.range(Column::S).expect("s");
+        assert!((range.max - 10.0).abs() < 1e-12 && range.max_at == 120.0, "{range:?}");
+        let angle = report.range(Column::PressureAngle).expect("φ");
+        assert!((angle.max.max(-angle.min) - 33.20).abs() < 0.01, "{angle:?}");
+        let theta = column(&design, &analysis, Column::Theta).expect("θ");
+        assert_eq!((theta.len(), theta[143], theta[360]), (361, 143.0, 360.0));
+        assert_eq!(report.borders, [0.0, 120.0, 240.0, 360.0]);
+    }
+
+    #[test]
+    fn a_column_that_does_not_apply_is_absent() {
+        let names = |name: &str| {
+            let (design, analysis, _) = report(name);
+            columns(&design, &analysis).into_iter().map(|(name, _)| name).collect::<Vec<_>>()
+        };
+        assert!(names("10EX").contains(&"contact") && !names("10EX").contains(&"pitch_x"));
+        assert!(names("9RT").contains(&"rho_pitch") && !names("9RT").contains(&"contact"));
+    }
+
+    #[test]
+    fn an_endless_radius_is_written_as_null() {
+        let range = Range { min: f64::NEG_INFINITY, min_at: 1.0, max: 2.0, max_at: 3.0 };
+        let json = serde_json::to_string(&range).expect("json");
+        assert_eq!(json, r#"{"min":null,"min_at":1.0,"max":2.0,"max_at":3.0}"#);
+    }
+}

@@ -1,0 +1,192 @@
+//! Random designs for tests, from a seed.
+
+use crate::design::default_of;
+use crate::limits::MAX_SEGMENTS;
+use crate::{Design, LengthUnit, SegmentDesign, Speed, SpeedUnit};
+use levalab_core::law::MAX_LAW_PARAMETERS;
+use levalab_core::{FOLLOWERS, LAWS, Law, Quantity, Rotation};
+
+/// A small generator of random numbers (SplitMix64), the same on every machine.
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// A generator that always gives the same numbers for the same seed.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// Sixty-four random bits.
+    pub fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// A number from 0 up to but not including `end`.
+    pub fn below(&mut self, end: usize) -> usize {
+        (self.bits() % end.max(1) as u64) as usize
+    }
+
+    /// A number in [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// A number in [low, high).
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// True once in `n` times.
+    pub fn once_in(&mut self, n: usize) -> bool {
+        self.below(n) == 0
+    }
+
+    /// One of several.
+    pub fn pick<'a, T>(&mut self, from: &'a [T]) -> &'a T {
+        &from[self.below(from.len())]
+    }
+}
+
+/// A random design that passes every check: any law, any follower, a few segments or many, round numbers or long ones.
+#[must_use]
+pub fn design(random: &mut Random) -> Design {
+    loop {
+        let candidate = candidate(random);
+        if candidate.cam().is_ok() {
+            return candidate;
+        }
+    }
+}
+
+fn candidate(random: &mut Random) -> Design {
+    let follower = *random.pick(FOLLOWERS);
+    // Most cams are of a hand's size; some are at the ends of what is allowed.
+    let size = if random.once_in(8) { 10_f64.powf(random.between(-4.0, 4.0)) } else { random.between(10.0, 100.0) };
+    let decimals = Decimals::pick(random);
+    let oscillating = follower.id.starts_with("oscillating");
+    let travel = if oscillating { 20.0 } else { 0.7 * size };
+    let mut values = [0.0; 4];
+    for (value, parameter) in values.iter_mut().zip(follower.parameters) {
+        let default = default_of(parameter);
+        *value = match (parameter.quantity, default) {
+            (_, Some(default)) if random.once_in(2) => default,
+            (Quantity::Angle, _) => decimals.round(random.between(-80.0, 80.0)),
+            (_, None) => decimals.round(size * random.between(0.1, 2.5)),
+            (_, Some(_)) => decimals.round(size * random.between(-0.9, 0.9)),
+        };
+    }
+    Design {
+        title: title(random),
+        length_unit: *random.pick(&LengthUnit::ALL),
+        speed: speed(random, decimals),
+        rotation: *random.pick(&[Rotation::CounterClockwise, Rotation::Clockwise]),
+        base_radius: decimals.round(size),
+        follower,
+        values,
+        segments: segments(random, decimals, travel),
+    }
+}
+
+fn speed(random: &mut Random, decimals: Decimals) -> Speed {
+    if random.once_in(2) {
+        return Speed::default();
+    }
+    Speed { value: decimals.round(10_f64.powf(random.between(-1.0, 4.0))), unit: *random.pick(&SpeedUnit::ALL) }
+}
+
+fn segments(random: &mut Random, decimals: Decimals, travel: f64) -> Vec<SegmentDesign> {
+    let count = if random.once_in(20) { 1 + random.below(MAX_SEGMENTS) } else { 2 + random.below(11) };
+    let weights: Vec<f64> = (0..count).map(|_| random.between(0.2, 1.0)).collect();
+    let whole: f64 = weights.iter().sum();
+    let mut left = 360.0;
+    let mut height = 0.0;
+    let mut segments: Vec<SegmentDesign> = Vec::with_capacity(count);
+    for (k, weight) in weights.iter().enumerate() {
+        let last = k + 1 == count;
+        let beta = if last { left } else { decimals.round(360.0 * weight / whole) };
+        left = tidy(left - beta);
+        let target = if last || random.once_in(4) { 0.0 } else { decimals.round(travel * random.unit()) };
+        let law = law(random, target == height, segments.last().map(|segment| segment.law));
+        let rise = if law.is_dwell() { 0.0 } else { tidy(target - height) };
+        height = tidy(height + rise);
+        segments.push(SegmentDesign { law, beta, rise, parameters: parameters(random, decimals, law) });
+    }
+    segments
+}
+
+fn law(random: &mut Random, level: bool, before: Option<&Law>) -> &'static Law {
+    loop {
+        let law = *random.pick(LAWS);
+        let fits = law.is_dwell() == level || level && random.once_in(4);
+        if fits && !(law.is_matched() && before.is_none_or(Law::is_matched)) {
+            return law;
+        }
+    }
+}
+
+/// The fractions of the SCCA family are the only parameters so far; any others get values that are tried by the caller.
+fn parameters(random: &mut Random, decimals: Decimals, law: &Law) -> [f64; MAX_LAW_PARAMETERS] {
+    let mut values = [0.0; MAX_LAW_PARAMETERS];
+    for (value, parameter) in values.iter_mut().zip(law.parameters) {
+        let default = default_of(parameter).filter(|_| random.once_in(2));
+        *value = default.unwrap_or_else(|| decimals.round(random.between(0.0, 0.5)));
+    }
+    values
+}
+
+fn title(random: &mut Random) -> String {
+    const LETTERS: &[char] =
+        &['a', 'Z', '7', ' ', 'ñ', 'º', '-', '.', '_', '#', '%', '"', '\\', 'β', '日', '🎡', '\u{301}'];
+    let length = if random.once_in(4) { random.below(65) } else { random.below(13) };
+    (0..length).map(|_| *random.pick(LETTERS)).collect()
+}
+
+/// How many decimals the numbers of a design have; all of them when none is said.
+#[derive(Clone, Copy)]
+struct Decimals(Option<i32>);
+
+impl Decimals {
+    fn pick(random: &mut Random) -> Self {
+        Self(*random.pick(&[Some(0), Some(0), Some(1), Some(2), Some(6), None]))
+    }
+
+    fn round(self, value: f64) -> f64 {
+        match self.0 {
+            Some(decimals) if value.abs() > 10_f64.powi(1 - decimals) => {
+                let scale = 10_f64.powi(decimals);
+                (value * scale).round() / scale
+            }
+            _ => value,
+        }
+    }
+}
+
+/// A difference of decimals without what binary rounding leaves behind.
+fn tidy(value: f64) -> f64 {
+    let rounded = (value * 1e9).round() / 1e9;
+    if (rounded - value).abs() < 1e-12 { rounded } else { value }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn random_designs_cover_every_law_and_follower() {
+        let mut random = Random::new(1);
+        let (mut laws, mut followers, mut many) = (HashSet::new(), HashSet::new(), false);
+        for _ in 0..2000 {
+            let design = design(&mut random);
+            laws.extend(design.segments.iter().map(|segment| segment.law.id));
+            followers.insert(design.follower.id);
+            many |= design.segments.len() > 40;
+        }
+        assert_eq!((laws.len(), followers.len(), many), (LAWS.len(), FOLLOWERS.len(), true));
+    }
+}
