@@ -12,6 +12,8 @@ const PRESSURE_ANGLE_LIMIT = { translating: 30, oscillating: 35 };
 /** @param {ShellContext} context */
 export function createFigures({ store, t, format }) {
   const root = h("div", { class: "figures", role: "group" });
+  /** @type {HTMLButtonElement[]} */
+  const buttons = [];
 
   /** @param {number | null | undefined} value */
   const angle = (value) => format.angle(value);
@@ -37,16 +39,30 @@ export function createFigures({ store, t, format }) {
     root,
 
     update() {
-      root.setAttribute("aria-label", t("verdict.figures"));
-      root.replaceChildren(
-        ...entries().map(([kind, text, theta]) => {
-          const button = h("button", { type: "button", class: `figure ${kind}` }, text);
-          button.addEventListener("click", () => theta !== undefined && store.set({ cursor: theta % 360, playing: false }));
-          return button;
-        }),
-      );
+      const list = entries();
+      while (buttons.length > list.length) buttons.pop()?.remove();
+      while (buttons.length < list.length) buttons.push(figure(buttons.length));
+      list.forEach(([kind, text], index) => {
+        const button = buttons[index];
+        if (!button || button.textContent === text) return;
+        button.className = `figure ${kind}`;
+        button.textContent = text;
+      });
     },
+
+    speak: () => root.setAttribute("aria-label", t("verdict.figures")),
   };
+
+  /** A figure, which leads to where it is reached. @param {number} index */
+  function figure(index) {
+    const button = h("button", { type: "button" });
+    button.addEventListener("click", () => {
+      const theta = entries()[index]?.[2];
+      if (theta !== undefined) store.set({ cursor: theta % 360, playing: false });
+    });
+    root.append(button);
+    return button;
+  }
 }
 
 /** @param {Range} range */

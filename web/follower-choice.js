@@ -34,8 +34,9 @@ export function createFollowerChoice({ store, catalogue, t }, texts) {
 
   function update() {
     const current = followerEntry(catalogue.followers, store.state.design.follower);
-    for (const { entry, input } of radios) input.checked = entry === current;
-    chosen.textContent = current ? t(`follower.${current.id}`) : "";
+    for (const { entry, input } of radios) if (input.checked !== (entry === current)) input.checked = entry === current;
+    const name = current ? t(`follower.${current.id}`) : "";
+    if (chosen.textContent !== name) chosen.textContent = name;
   }
 
   return { root, update };

@@ -52,19 +52,25 @@ export function mount(root, context, engine) {
     help.dialog,
   );
 
-  function update() {
+  function follow() {
     title.update();
     history.update();
+    share.update();
+  }
+
+  function dress() {
     theme.update();
     languages.update();
-    share.update();
     projector.setAttribute("aria-pressed", String(store.state.projector));
   }
 
-  update();
-  store.subscribe(["design", "error", "theme", "language", "projector"], (_, changed) => {
+  follow();
+  dress();
+  store.subscribe(["design", "report"], follow);
+  store.subscribe(["theme", "language", "projector"], (_, changed) => {
     if (changed.has("language")) texts.refresh();
-    update();
+    follow();
+    dress();
   });
 }
 
@@ -81,6 +87,7 @@ function createHistory({ store, t }) {
    * @param {string} name
    */
   function show(button, possible, name) {
+    if (button.title === name && button.disabled !== possible) return;
     button.disabled = !possible;
     button.setAttribute("aria-label", name);
     button.title = name;

@@ -71,8 +71,13 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     store.edit(t("edit.field", { name: name() }), (draft) => write(draft, value), { gesture });
   }
 
+  let told = "";
+
   /** @param {string | null} message */
   function tell(message) {
+    const state = `${message ?? ""}\n${pending !== null}\n${unit()}`;
+    if (state === told) return;
+    told = state;
     error.hidden = message === null;
     if (message !== null && error.textContent !== message) error.textContent = message;
     if (message === null) input.removeAttribute("aria-invalid");

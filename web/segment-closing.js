@@ -44,10 +44,16 @@ export function createClosing({ store, t, format }, texts, add) {
   const spread = texts.attribute(fix("segments.spread", "edit.spread", program.spread), "title", "segments.spread.hint");
   const close = fix("segments.close", "edit.close", program.closeWithLastMove);
 
+  let shown = "";
+
   function update() {
-    const { design, error } = store.state;
+    const { design, error, language } = store.state;
     const left = program.degreesLeft(design);
     const height = program.heightAt(design);
+    const own = error?.path === "segments" && left === 0 && height === 0 ? error.message : "";
+    const state = [left, height, riseUnit(design), language, own, program.canStretchLast(design)].join();
+    if (state === shown) return;
+    shown = state;
     fillReturn.hidden = !(left > 0 && height !== 0);
     fill.hidden = !(left > 0 && height === 0);
     stretch.hidden = !(left > 0);
@@ -58,9 +64,8 @@ export function createClosing({ store, t, format }, texts, add) {
 
     sum.textContent = sentence(left, height, riseUnit(design));
     root.classList.toggle("open", left !== 0 || height !== 0);
-    const own = error?.path === "segments" && left === 0 && height === 0;
-    problem.hidden = !own;
-    problem.textContent = own ? error.message : "";
+    problem.hidden = own === "";
+    problem.textContent = own;
   }
 
   /**

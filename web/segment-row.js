@@ -26,6 +26,7 @@ export function createSegmentRow(context, actions) {
   let law;
   /** @type {{ key: string, field: NumberField }[]} */
   let extras = [];
+  let shown = "";
 
   const number = () => ({ number: index + 1 });
   const grip = h("button", { type: "button", class: "grip" });
@@ -122,9 +123,14 @@ export function createSegmentRow(context, actions) {
   function update(at) {
     const renumbered = at !== index || grip.textContent === "";
     index = at;
-    const { design, error } = store.state;
+    const { design, error, language } = store.state;
     const segment = design.segments[index];
     if (!segment) return;
+    const from = design.segments.slice(0, index).reduce((sum, { beta: span }) => sum + span, 0);
+    const wrong = error?.path.startsWith(`segments[${index}]`) ? error : null;
+    const state = JSON.stringify([index, segment, from, riseUnit(design), wrong, language]);
+    if (state === shown) return;
+    shown = state;
     const entry = catalogue.laws.find(({ id: known }) => known === segment.law);
     if (entry !== law) adoptLaw(entry);
     if (renumbered) {
@@ -134,14 +140,11 @@ export function createSegmentRow(context, actions) {
     lawSelect.value = segment.law;
     lawSelect.title = t(`law.${segment.law}`);
     thumbnail.draw(entry?.thumbnail ?? [], (segment.rise ?? 0) < 0);
-    const from = design.segments.slice(0, index).reduce((sum, { beta: span }) => sum + span, 0);
     const name = t("segments.grip", { ...number(), from: format.number(from, { unit: "°" }), to: format.number(from + segment.beta, { unit: "°" }) });
-    if (grip.ariaLabel !== name) {
-      grip.setAttribute("aria-label", name);
-      grip.title = name;
-    }
+    grip.setAttribute("aria-label", name);
+    grip.title = name;
     for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.update(store.state);
-    tell(error !== null && isOwn(error.path) ? error.message : null);
+    tell(wrong && isOwn(wrong.path) ? wrong.message : null);
   }
 
   /** @param {string} path */
@@ -170,6 +173,7 @@ export function createSegmentRow(context, actions) {
     update,
     speak,
     reset() {
+      shown = "";
       for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.reset();
     },
   };

@@ -49,6 +49,7 @@ export function createShare({ store, t, announce }, texts) {
 
     update() {
       const long = store.state.report.link === "";
+      if (long === button.disabled) return;
       button.disabled = long;
       button.title = long ? t("header.share.long") : "";
     },

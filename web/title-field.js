@@ -27,6 +27,8 @@ export function createTitleField({ store, catalogue, t }, texts) {
   const longest = catalogue.limits.title;
   const input = h("input", { type: "text", class: "title", maxlength: longest, spellcheck: "false", autocomplete: "off" });
   let gesture = "";
+  /** @type {string | null} */
+  let shown = null;
 
   input.addEventListener("focus", () => (gesture = `title:${++sessions}`));
   input.addEventListener("input", () => {
@@ -38,6 +40,7 @@ export function createTitleField({ store, catalogue, t }, texts) {
     if (event.key === "Enter" || event.key === "Escape") input.blur();
   });
   input.addEventListener("blur", () => {
+    shown = null;
     store.endGesture();
     update();
   });
@@ -47,6 +50,8 @@ export function createTitleField({ store, catalogue, t }, texts) {
 
   function update() {
     const { title } = store.state.design;
+    if (title === shown && document.activeElement !== input) return;
+    shown = title;
     if (cleanTitle(input.value, longest) !== title || document.activeElement !== input) input.value = title;
     document.title = title ? `${title} · LevaLab` : "LevaLab";
   }

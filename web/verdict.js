@@ -1,11 +1,12 @@
 /**
  * The verdict: a traffic light with shape and word, the key figures, and every finding with the changes that cure it.
  *
- * @import { Cure, Finding, Level, ShellContext } from "./types.d.ts"
+ * @import { FindingItem } from "./finding-item.js"
+ * @import { Finding, Level, ShellContext } from "./types.d.ts"
  */
 import { h, s } from "./dom.js";
 import { createFigures } from "./figures.js";
-import { applyEdits } from "./program.js";
+import { createFindingItem } from "./finding-item.js";
 import { createTexts } from "./texts.js";
 
 /** Findings that are in sight before the list is opened. */
@@ -30,7 +31,7 @@ const SHAPES = {
  * @param {ShellContext} context
  */
 export function mount(root, context) {
-  const { store, t, format, announce } = context;
+  const { store, t, announce } = context;
   const texts = createTexts(t);
   const sign = s("svg", { viewBox: "0 0 24 24", class: "light", "aria-hidden": "true" }, s("path", { class: "shape" }), s("path", { class: "mark" }));
   const word = h("strong", { class: "word" });
@@ -40,6 +41,8 @@ export function mount(root, context) {
   const list = h("ul", { class: "findings" });
   const more = h("button", { type: "button", class: "quiet more-findings", "aria-expanded": "false" });
   const heading = texts.text(h("h2", { class: "unseen", id: "verdict-heading" }), "app.verdict");
+  /** @type {FindingItem[]} */
+  const items = [];
   let open = false;
   let said = "";
   let timer = 0;
@@ -56,13 +59,16 @@ export function mount(root, context) {
     const { report, error } = store.state;
     /** @type {Light} */
     const light = error ? "stopped" : report.verdict.level;
-    root.dataset.level = light;
-    sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
-    sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
+    if (root.dataset["level"] !== light) {
+      root.dataset["level"] = light;
+      sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
+      sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
+    }
     word.textContent = t(`level.${light}`);
     headline.textContent = error ? error.message : report.verdict.headline;
-    list.replaceChildren(...(error ? [] : report.verdict.findings.map(finding)));
-    note.textContent = error ? t("verdict.stopped.kept") : t("verdict.none");
+    show(error ? [] : report.verdict.findings);
+    const keptOrNone = error ? t("verdict.stopped.kept") : t("verdict.none");
+    if (note.textContent !== keptOrNone) note.textContent = keptOrNone;
     note.hidden = list.childElementCount > 0;
     figures.update();
     fold();
@@ -70,10 +76,9 @@ export function mount(root, context) {
   }
 
   function fold() {
-    const items = [...list.children];
     const hidden = items.length - IN_SIGHT;
     const foldable = hidden > 0;
-    items.forEach((item, index) => item.classList.toggle("beyond", foldable && !open && index >= IN_SIGHT));
+    items.forEach(({ root: item }, index) => item.classList.toggle("beyond", foldable && !open && index >= IN_SIGHT));
     list.hidden = items.length === 0;
     more.hidden = !foldable;
     more.setAttribute("aria-expanded", String(open));
@@ -81,50 +86,22 @@ export function mount(root, context) {
     root.classList.toggle("open", open && foldable);
   }
 
-  /** @param {Finding} what */
-  function finding(what) {
-    const places = what.places.length > 1 ? what.places : [];
-    /** @type {import("./types.d.ts").Highlight} */
-    const highlight = what.interval ? { theta: what.theta, interval: what.interval } : { theta: what.theta };
-    const sentence = h("button", { type: "button", class: "finding-text", title: t("verdict.see", { angle: format.angle(what.theta) }) }, what.message);
-    sentence.addEventListener("click", () => see(what.theta));
-    const item = h(
-      "li",
-      { class: `finding ${what.severity}` },
-      sentence,
-      ...places.map((theta) => place(theta)),
-      h("span", { class: "cures" }, ...what.cures.map(cureButton)),
-    );
-    item.addEventListener("pointerenter", () => store.set({ highlight }));
-    item.addEventListener("pointerleave", () => store.set({ highlight: null }));
-    item.addEventListener("focusin", () => store.set({ highlight }));
-    item.addEventListener("focusout", () => store.set({ highlight: null }));
-    return item;
+  /** @param {Finding[]} findings */
+  function show(findings) {
+    while (items.length > findings.length) items.pop()?.root.remove();
+    while (items.length < findings.length) {
+      const item = createFindingItem(context, cured);
+      items.push(item);
+      list.append(item.root);
+    }
+    findings.forEach((finding, index) => items[index]?.update(finding));
   }
 
-  /** @param {number} theta */
-  function place(theta) {
-    const button = h("button", { type: "button", class: "place", title: t("verdict.see", { angle: format.angle(theta) }) }, format.number(Math.round(theta * 10) / 10, { unit: "°" }));
-    button.addEventListener("click", () => see(theta));
-    return button;
-  }
-
-  /** @param {number} theta */
-  function see(theta) {
-    store.set({ cursor: ((theta % 360) + 360) % 360, playing: false, highlight: { theta } });
-  }
-
-  /** @param {Cure} cure */
-  function cureButton(cure) {
-    const button = h("button", { type: "button", class: "cure" }, cure.message);
-    button.addEventListener("click", () => {
-      store.edit(t("edit.cure"), (draft) => applyEdits(draft, cure.edits));
-      update();
-      const next = list.querySelector("button") ?? (more.hidden ? null : more);
-      if (next instanceof HTMLElement) next.focus();
-      else word.focus();
-    });
-    return button;
+  /** The finding is gone, and its button with it: the focus goes to the next one, or to the verdict. */
+  function cured() {
+    update();
+    const next = list.querySelector("button") ?? word;
+    next.focus();
   }
 
   /** Says a verdict that has changed, once the hands are still. @param {string} sentence */
@@ -138,10 +115,12 @@ export function mount(root, context) {
   }
 
   word.tabIndex = -1;
+  figures.speak();
   update();
   store.subscribe(["report", "error"], update);
   store.subscribe(["language"], () => {
     texts.refresh();
+    figures.speak();
     update();
   });
   keepOverhang(root);

@@ -1,0 +1,89 @@
+/**
+ * A finding: its sentence, its places, and the changes that cure it. It is rewritten in place, since during a drag it
+ * changes with every frame.
+ *
+ * @import { Finding, ShellContext } from "./types.d.ts"
+ */
+import { h } from "./dom.js";
+import { applyEdits } from "./program.js";
+
+/**
+ * @param {ShellContext} context
+ * @param {() => void} cured  where the focus goes when the cure has taken its button away
+ */
+export function createFindingItem({ store, t, format }, cured) {
+  /** @type {Finding | null} */
+  let what = null;
+  const sentence = h("button", { type: "button", class: "finding-text" });
+  const places = h("span", { class: "places" });
+  const cures = h("span", { class: "cures" });
+  const root = h("li", {}, sentence, places, cures);
+
+  sentence.addEventListener("click", () => what && see(what.theta));
+  root.addEventListener("pointerenter", () => store.set({ highlight: highlight() }));
+  root.addEventListener("pointerleave", () => store.set({ highlight: null }));
+  root.addEventListener("focusin", () => store.set({ highlight: highlight() }));
+  root.addEventListener("focusout", () => store.set({ highlight: null }));
+
+  /** @returns {import("./types.d.ts").Highlight | null} */
+  function highlight() {
+    if (!what) return null;
+    return what.interval ? { theta: what.theta, interval: what.interval } : { theta: what.theta };
+  }
+
+  /** @param {number} theta */
+  function see(theta) {
+    store.set({ cursor: ((theta % 360) + 360) % 360, playing: false, highlight: { theta } });
+  }
+
+  /**
+   * As many buttons as there are texts, each with its text.
+   * @param {HTMLElement} parent
+   * @param {string} kind
+   * @param {string[]} texts
+   * @param {(index: number) => void} act
+   */
+  function fillButtons(parent, kind, texts, act) {
+    while (parent.childElementCount > texts.length) parent.lastElementChild?.remove();
+    while (parent.childElementCount < texts.length) {
+      const index = parent.childElementCount;
+      const button = h("button", { type: "button", class: kind });
+      button.addEventListener("click", () => act(index));
+      parent.append(button);
+    }
+    texts.forEach((text, index) => {
+      const button = parent.children[index];
+      if (button && button.textContent !== text) button.textContent = text;
+    });
+  }
+
+  /** @param {number} index */
+  function cure(index) {
+    const edits = what?.cures[index]?.edits;
+    if (!edits) return;
+    store.edit(t("edit.cure"), (draft) => applyEdits(draft, edits));
+    cured();
+  }
+
+  return {
+    root,
+
+    /** @param {Finding} next */
+    update(next) {
+      what = next;
+      root.className = `finding ${next.severity}`;
+      if (sentence.textContent !== next.message) sentence.textContent = next.message;
+      sentence.title = t("verdict.see", { angle: format.angle(next.theta) });
+      const several = next.places.length > 1 ? next.places : [];
+      fillButtons(places, "place", several.map(degrees), (index) => see(what?.places[index] ?? 0));
+      fillButtons(cures, "cure", next.cures.map(({ message }) => message), cure);
+    },
+  };
+
+  /** @param {number} theta */
+  function degrees(theta) {
+    return format.number(Math.round(theta * 10) / 10, { unit: "°" });
+  }
+}
+
+/** @typedef {ReturnType<typeof createFindingItem>} FindingItem */
