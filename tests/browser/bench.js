@@ -68,14 +68,16 @@ async function measureAnimation() {
 async function measureEdits(cpu) {
   const { page, close } = await open();
   await pause(page);
-  const session = await page.context().newCDPSession(page);
-  await session.send("Emulation.setCPUThrottlingRate", { rate: cpu });
-  const box = await page.locator("#design .scrub").first().boundingBox();
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send("Emulation.setCPUThrottlingRate", { rate: cpu });
+  const label = page.locator("#design .scrub").first();
+  await label.scrollIntoViewIfNeeded();
+  const box = await label.boundingBox();
   if (!box) throw new Error("no number with a label to drag");
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.mouse.move(x + 8, y);
+  await page.mouse.move(x + 5, y);
   await observe(page, "levalab:edit");
   const end = performance.now() + SECONDS * 1000;
   for (let step = 0; performance.now() < end; step++) await page.mouse.move(x + 60 + 50 * Math.sin(step / 20), y);
@@ -93,11 +95,11 @@ async function measureEdits(cpu) {
 async function measureMemory() {
   const { page, close } = await open();
   await pause(page);
-  const session = await page.context().newCDPSession(page);
+  const devtools = await page.context().newCDPSession(page);
   await edit(page, 2000);
-  const before = await memory(session);
+  const before = await memory(devtools);
   await edit(page, EDITS);
-  const after = await memory(session);
+  const after = await memory(devtools);
   const change = (/** @type {"heap" | "wasm"} */ kind) => `${((after[kind] - before[kind]) / 1e6).toFixed(2)} MB`;
   table.push([`memory after ${EDITS} edits, JavaScript (of ${(after.heap / 1e6).toFixed(1)} MB)`, change("heap"), "no growth"]);
   table.push([`memory after ${EDITS} edits, wasm (of ${(after.wasm / 1e6).toFixed(1)} MB)`, change("wasm"), "no growth"]);
@@ -130,10 +132,10 @@ async function open(throttle) {
   const page = await context.newPage();
   if (throttle) {
     const { cpu, ...network } = throttle;
-    const session = await context.newCDPSession(page);
-    await session.send("Network.enable");
-    await session.send("Network.emulateNetworkConditions", network);
-    await session.send("Emulation.setCPUThrottlingRate", { rate: cpu });
+    const devtools = await context.newCDPSession(page);
+    await devtools.send("Network.enable");
+    await devtools.send("Network.emulateNetworkConditions", network);
+    await devtools.send("Emulation.setCPUThrottlingRate", { rate: cpu });
   }
   await page.goto(site.url);
   await drawn(page);
@@ -152,7 +154,8 @@ async function observe(page, name) {
   await page.evaluate((name) => {
     /** @type {{ script: number[], frames: number[] }} */
     const kept = { script: [], frames: [] };
-    Object.assign(window, { kept });
+    // Animation frames are measured only on request.
+    Object.assign(window, { kept, levalabMeasure: true });
     new PerformanceObserver((list) => {
       for (const entry of list.getEntriesByName(name)) {
         const { detail } = /** @type {PerformanceMeasure} */ (entry);
@@ -190,14 +193,14 @@ async function edit(page, count) {
   }, count);
 }
 
-/** Bytes in use. @param {import("playwright-core").CDPSession} session */
-async function memory(session) {
-  await session.send("HeapProfiler.enable");
-  for (let round = 0; round < 3; round++) await session.send("HeapProfiler.collectGarbage");
-  const { usedSize } = await session.send("Runtime.getHeapUsage");
-  const prototype = await session.send("Runtime.evaluate", { expression: "WebAssembly.Memory.prototype" });
-  const { objects } = await session.send("Runtime.queryObjects", { prototypeObjectId: prototype.result.objectId ?? "" });
-  const sum = await session.send("Runtime.callFunctionOn", {
+/** Bytes in use. @param {import("playwright-core").CDPSession} devtools */
+async function memory(devtools) {
+  await devtools.send("HeapProfiler.enable");
+  for (let round = 0; round < 3; round++) await devtools.send("HeapProfiler.collectGarbage");
+  const { usedSize } = await devtools.send("Runtime.getHeapUsage");
+  const prototype = await devtools.send("Runtime.evaluate", { expression: "WebAssembly.Memory.prototype" });
+  const { objects } = await devtools.send("Runtime.queryObjects", { prototypeObjectId: prototype.result.objectId ?? "" });
+  const sum = await devtools.send("Runtime.callFunctionOn", {
     objectId: objects.objectId,
     functionDeclaration: "function () { return this.reduce((sum, memory) => sum + memory.buffer.byteLength, 0); }",
     returnByValue: true,
