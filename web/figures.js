@@ -19,15 +19,18 @@ export function createFigures({ store, t, format }) {
   const angle = (value) => format.angle(value);
 
   function entries() {
-    const { summary, mechanism, units } = store.state.report;
-    const { pressure_angle: phi, s: lift, rho, contact } = summary;
+    const { summary, least_convex, mechanism, units } = store.state.report;
+    const { pressure_angle: phi, s: lift, contact } = summary;
     /** @type {[string, string, number | undefined][]} */
     const list = [];
     const limit = PRESSURE_ANGLE_LIMIT[mechanism.motion] ?? 30;
     if (phi && mechanism.contact !== "flat") {
       list.push(["phi", t("verdict.figure.phi", { min: angle(phi.min), max: angle(phi.max), limit: format.number(limit, { unit: "°" }) }), steepest(phi)]);
     }
-    if (rho) list.push(["rho", t("verdict.figure.rho", { value: format.quantity(rho.min, { trim: true, unit: units.length }) }), rho.min_at]);
+    if (least_convex) {
+      const value = format.quantity(least_convex.value, { trim: true, unit: units.length });
+      list.push(["rho", t("verdict.figure.rho", { value }), least_convex.at]);
+    }
     if (lift) list.push(["s", t("verdict.figure.lift", { value: format.quantity(lift.max, { trim: true, unit: units.s }) }), lift.max_at]);
     if (contact && mechanism.contact === "flat" && contact.max !== null && contact.min !== null) {
       list.push(["face", t("verdict.figure.face", { value: format.quantity(contact.max - contact.min, { trim: true, unit: units.length }) }), contact.max_at]);

@@ -2,7 +2,7 @@
  * A finding: its sentence, its places, and the changes that cure it. It is rewritten in place, since during a drag it
  * changes with every frame.
  *
- * @import { Finding, ShellContext } from "./types.d.ts"
+ * @import { Cure, Finding, ShellContext } from "./types.d.ts"
  */
 import { h } from "./dom.js";
 import { applyEdits } from "./program.js";
@@ -14,6 +14,8 @@ import { applyEdits } from "./program.js";
 export function createFindingItem({ store, t, format }, cured) {
   /** @type {Finding | null} */
   let what = null;
+  /** @type {Cure[]} */
+  let remedies = [];
   const sentence = h("button", { type: "button", class: "finding-text" });
   const places = h("span", { class: "places" });
   const cures = h("span", { class: "cures" });
@@ -59,7 +61,7 @@ export function createFindingItem({ store, t, format }, cured) {
 
   /** @param {number} index */
   function cure(index) {
-    const edits = what?.cures[index]?.edits;
+    const edits = remedies[index]?.edits;
     if (!edits) return;
     store.edit(t("edit.cure"), (draft) => applyEdits(draft, edits));
     cured();
@@ -76,7 +78,18 @@ export function createFindingItem({ store, t, format }, cured) {
       sentence.title = t("verdict.see", { angle: format.angle(next.theta) });
       const several = next.places.length > 1 ? next.places : [];
       fillButtons(places, "place", several.map(degrees), (index) => see(what?.places[index] ?? 0));
-      fillButtons(cures, "cure", next.cures.map(({ message }) => message), cure);
+    },
+
+    /**
+     * The cures of the cam in sight; null while they are not known yet: then those of the cam before wait, disabled.
+     * @param {Cure[] | null} next
+     */
+    prescribe(next) {
+      if (next) {
+        remedies = next;
+        fillButtons(cures, "cure", next.map(({ message }) => message), cure);
+      }
+      for (const button of cures.querySelectorAll("button")) button.disabled = next === null;
     },
   };
 

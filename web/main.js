@@ -49,6 +49,7 @@ async function start() {
       if (!engine.failed(error)) throw error;
     },
   });
+  addEventListener("error", ({ error }) => void engine.failed(error));
   const first = firstDesign(engine, example);
   if (!store.start(first.design)) store.start(example);
 

@@ -132,7 +132,6 @@ export interface Finding {
   value: number | null;
   limit: number | null;
   message: string;
-  cures: Cure[];
 }
 
 export type Level = "acceptable" | "low-speed" | "unacceptable";
@@ -140,9 +139,10 @@ export type Level = "acceptable" | "low-speed" | "unacceptable";
 export interface Report {
   /** The fragment without `#`; empty when the design is too long for a link. */
   link: string;
-  closure: { degrees_left: number; height: number };
   verdict: { level: Level; headline: string; findings: Finding[] };
   summary: Partial<Record<Diagram | "rho_pitch" | "contact", Range>>;
+  /** The sharpest convex place of the profile; null where nothing is convex. */
+  least_convex: { value: number; at: number } | null;
   joints: { theta: number; segment: number; jump: "s" | "v" | "a" | "j" | null }[];
   borders: number[];
   omega: number;
@@ -172,6 +172,8 @@ export type Read = { design: Design; error?: undefined } | { error: DesignError;
 /** The engine's one object: the current cam. */
 export interface Lab {
   open(design: Design, samples: number, language: Language): Opened;
+  /** What would cure each finding of the current cam, in their order. Slower than an analysis: for when the hand rests. */
+  cures(language: Language): Cure[][];
   column(name: ColumnName): Float64Array;
   at(theta: number, out: Float64Array): void;
   draw(canvas: HTMLCanvasElement, diagram: Diagram, style: ChartStyle): PlotArea;

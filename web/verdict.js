@@ -2,7 +2,7 @@
  * The verdict: a traffic light with shape and word, the key figures, and every finding with the changes that cure it.
  *
  * @import { FindingItem } from "./finding-item.js"
- * @import { Finding, Level, ShellContext } from "./types.d.ts"
+ * @import { Finding, Level, Report, ShellContext } from "./types.d.ts"
  */
 import { h, s } from "./dom.js";
 import { createFigures } from "./figures.js";
@@ -14,6 +14,9 @@ const IN_SIGHT = 2;
 
 /** Quiet milliseconds after which a changed verdict is said. */
 const QUIET = 900;
+
+/** Milliseconds without an edit after which the cures are looked for. */
+const RESTING = 120;
 
 /** @typedef {Level | "stopped"} Light */
 
@@ -31,7 +34,7 @@ const SHAPES = {
  * @param {ShellContext} context
  */
 export function mount(root, context) {
-  const { store, t, announce } = context;
+  const { store, lab, t, announce } = context;
   const texts = createTexts(t);
   const sign = s("svg", { viewBox: "0 0 24 24", class: "light", "aria-hidden": "true" }, s("path", { class: "shape" }), s("path", { class: "mark" }));
   const word = h("strong", { class: "word" });
@@ -44,6 +47,9 @@ export function mount(root, context) {
   /** @type {FindingItem[]} */
   const items = [];
   let open = false;
+  /** @type {Report | null} */
+  let shown = null;
+  let cureTimer = 0;
   let said = "";
   let timer = 0;
 
@@ -67,6 +73,7 @@ export function mount(root, context) {
     word.textContent = t(`level.${light}`);
     headline.textContent = error ? error.message : report.verdict.headline;
     show(error ? [] : report.verdict.findings);
+    if (report !== shown) awaitCures(report);
     const keptOrNone = error ? t("verdict.stopped.kept") : t("verdict.none");
     if (note.textContent !== keptOrNone) note.textContent = keptOrNone;
     note.hidden = list.childElementCount > 0;
@@ -97,11 +104,23 @@ export function mount(root, context) {
     findings.forEach((finding, index) => items[index]?.update(finding));
   }
 
+  /** Looks for the cures once the hand rests: finding them takes many analyses. @param {Report} report */
+  function awaitCures(report) {
+    shown = report;
+    for (const item of items) item.prescribe(null);
+    clearTimeout(cureTimer);
+    cureTimer = window.setTimeout(() => {
+      const cures = lab().cures(store.state.language);
+      items.forEach((item, index) => item.prescribe(cures[index] ?? []));
+    }, RESTING);
+  }
+
   /** The finding is gone, and its button with it: the focus goes to the next one, or to the verdict. */
   function cured() {
     update();
-    const next = list.querySelector("button") ?? word;
-    next.focus();
+    const next = list.querySelector("button:enabled");
+    if (next instanceof HTMLElement) next.focus();
+    else word.focus();
   }
 
   /** Says a verdict that has changed, once the hands are still. @param {string} sentence */
