@@ -184,6 +184,9 @@ async function edit(page, count) {
     if (!input) throw new Error("no number field");
     const press = (/** @type {string} */ key) => input.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
     input.focus();
+    const before = input.value;
+    press("ArrowUp");
+    if (input.value === before) throw new Error("the arrow keys change nothing");
     for (let done = 0; done < count; done++) {
       press("Enter");
       press(done % 2 ? "ArrowDown" : "ArrowUp");
