@@ -108,6 +108,16 @@ pub fn columns(design: &Design, analysis: &Analysis) -> Vec<(&'static str, Vec<f
     each.flatten().collect()
 }
 
+/// The word for a verdict in reports.
+#[must_use]
+pub fn level_name(level: Level) -> &'static str {
+    match level {
+        Level::Acceptable => "acceptable",
+        Level::LowSpeed => "low-speed",
+        Level::Unacceptable => "unacceptable",
+    }
+}
+
 /// Degrees from radians, without the last digits that the conversion makes up: θ is never known better than this.
 #[must_use]
 pub fn degrees(theta: f64) -> f64 {

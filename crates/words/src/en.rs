@@ -1,0 +1,349 @@
+//! English.
+
+use crate::voice::{Figures, FileProblem, Voice, by_law, measured, row, worst_kinds};
+use crate::{Language, Units};
+use levalab_core::{Column, FindingKind, Level};
+use levalab_format::link::{LinkError, TooLong};
+use levalab_format::report::{DesignFinding, Report};
+use levalab_format::{Kind, Problem, Remedy, quoted};
+
+pub(crate) struct English;
+
+const EN: Language = Language::En;
+
+impl Voice for English {
+    fn law(&self, id: &str) -> Option<&'static str> {
+        Some(match id {
+            "dwell" => "dwell",
+            "constant-velocity" => "constant velocity",
+            "parabolic" => "parabolic",
+            "cubic-1" => "cubic 1",
+            "cubic-2" => "cubic 2",
+            "simple-harmonic" => "simple harmonic",
+            "double-harmonic" => "double harmonic",
+            "cycloidal" => "cycloidal",
+            "polynomial-3-4-5" => "3-4-5 polynomial",
+            "polynomial-4-5-6-7" => "4-5-6-7 polynomial",
+            "modified-trapezoidal" => "modified trapezoidal",
+            "modified-sine" => "modified sine",
+            "scca" => "SCCA",
+            "half-harmonic-start" => "half harmonic (start)",
+            "half-harmonic-end" => "half harmonic (end)",
+            "half-cycloidal-start" => "half cycloidal (start)",
+            "half-cycloidal-end" => "half cycloidal (end)",
+            "polynomial-5" => "5th-degree polynomial",
+            "polynomial-7" => "7th-degree polynomial",
+            _ => return None,
+        })
+    }
+
+    fn follower(&self, id: &str) -> Option<&'static str> {
+        Some(match id {
+            "translating-roller" => "translating roller follower",
+            "translating-knife" => "translating knife-edge follower",
+            "translating-curved" => "translating curved-face follower",
+            "translating-flat" => "translating flat-face follower",
+            "oscillating-roller" => "oscillating roller follower",
+            "oscillating-flat" => "oscillating flat-face follower",
+            _ => return None,
+        })
+    }
+
+    fn headline(&self, report: &Report) -> String {
+        let joints = report.findings.first().map_or(0, |finding| finding.places.len());
+        match report.level {
+            Level::Acceptable => {
+                "Acceptable: the motion is smooth up to the jerk, and the profile is sound.".to_owned()
+            }
+            Level::LowSpeed if joints == 1 => "Not for high speeds: the jerk jumps at one joint.".to_owned(),
+            Level::LowSpeed => format!("Not for high speeds: the jerk jumps at {joints} joints."),
+            Level::Unacceptable => {
+                let reasons: Vec<String> =
+                    worst_kinds(report).into_iter().map(|kind| reason(kind).to_owned()).collect();
+                format!("Unacceptable: {}.", row(&reasons, "and"))
+            }
+        }
+    }
+
+    fn finding(&self, finding: &DesignFinding, units: Units) -> String {
+        let Figures { at, span, other, count, value, limit } = Figures::of(finding, units, EN);
+        let along = |(from, to): (String, String)| format!("From {from} to {to}");
+        let around = span.map_or_else(|| format!("At {at}"), along);
+        let where_and_how_much = if count > 1 {
+            format!("jumps at {count} joints, by up to {value} at {at}")
+        } else {
+            format!("jumps by {value} at {at}")
+        };
+        match finding.kind {
+            FindingKind::Jump(0) => {
+                format!("The displacement {where_and_how_much}: the follower would be in two places at once.")
+            }
+            FindingKind::Jump(1) => format!("The velocity {where_and_how_much}: an infinite acceleration, a blow."),
+            FindingKind::Jump(2) => {
+                format!(
+                    "The acceleration {where_and_how_much}: the forces change at a stroke and the follower vibrates."
+                )
+            }
+            FindingKind::Jump(_) => {
+                format!(
+                    "The jerk {where_and_how_much}: harmless when the cam turns slowly, vibration when it turns fast."
+                )
+            }
+            FindingKind::PressureAngle => {
+                let motion = if units.oscillating { "an oscillating" } else { "a translating" };
+                format!(
+                    "The pressure angle reaches {value} at {at}, above the {limit} that {motion} follower tolerates."
+                )
+            }
+            FindingKind::Cusp => {
+                format!(
+                    "The profile comes to a point at {at}: its radius of curvature is zero, and it would soon wear away."
+                )
+            }
+            FindingKind::Undercut => {
+                format!(
+                    "{around} the profile is undercut: the radius of curvature would fall to {value} at {at}, and a roller of this size cannot follow."
+                )
+            }
+            FindingKind::ConcaveFlat => {
+                format!(
+                    "{around} the profile would have to be hollow, which a flat face cannot touch: the radius of curvature falls to {value} at {at}."
+                )
+            }
+            FindingKind::BelowBase => format!("The follower goes below the base circle, down to {value} at {at}."),
+            FindingKind::SelfCrossing => {
+                format!("The profile crosses itself: it goes through the same point at {at} and at {other}.")
+            }
+            FindingKind::ArmCutsCam if units.oscillating => {
+                format!("At {at} the arm of the follower would cut {value} deep into the cam.")
+            }
+            FindingKind::ArmCutsCam => format!("At {at} the stem of the follower would cut {value} deep into the cam."),
+            FindingKind::PivotInsideCam => {
+                format!(
+                    "The cam sweeps over the pivot: at {at} it reaches {value} from its centre, and the pivot is at {limit}."
+                )
+            }
+            FindingKind::FaceOvertaken => {
+                format!(
+                    "At {at} the face turns {value} times as fast as the cam and in its sense, so that the contact runs away along it."
+                )
+            }
+            FindingKind::ContactPastPivot => {
+                format!("{around} the contact would be on the other side of the pivot, {value} along the face at {at}.")
+            }
+        }
+    }
+
+    fn cure(&self, finding: &DesignFinding, remedy: &Remedy, units: Units) -> String {
+        match remedy {
+            Remedy::BaseRadius { value, grows } => {
+                let sign = if *grows { '≥' } else { '=' };
+                format!("With Rb {sign} {} {}.", units.length(*value, EN), passing(finding.kind, units))
+            }
+            Remedy::Eccentricity { value, pressure_angle } => {
+                let (e, angle) = (units.length(*value, EN), EN.angle(*pressure_angle));
+                if finding.limit.is_some_and(|limit| *pressure_angle <= limit) {
+                    format!("With an eccentricity of {e} it stays within {angle}.")
+                } else {
+                    format!("With an eccentricity of {e} it falls to {angle}.")
+                }
+            }
+            Remedy::Laws { changes, remaining_jump } => {
+                let groups = by_law(changes)
+                    .into_iter()
+                    .map(|(law, segments)| format!("the {} law {}", crate::law(EN, law), in_segments(&segments)));
+                let groups: Vec<String> = groups.collect();
+                let result = match (finding.kind, remaining_jump) {
+                    (FindingKind::BelowBase, _) => "the follower stays above the base circle",
+                    (_, None) => "nothing jumps any more",
+                    (_, Some(Column::J)) => "only the jerk still jumps",
+                    (_, Some(_)) => "this jump is gone",
+                };
+                format!("With {} {result}.", row(&groups, "and"))
+            }
+        }
+    }
+
+    fn problem(&self, problem: &Problem) -> String {
+        match problem {
+            Problem::FileTooLarge { bytes, limit } => {
+                format!(
+                    "The file has {} bytes; no design has more than {}.",
+                    EN.exact(*bytes as f64),
+                    EN.exact(*limit as f64)
+                )
+            }
+            Problem::NotText => "The file is not text in UTF-8.".to_owned(),
+            Problem::NotJson { line, column } => {
+                format!("The text is not JSON from line {line}, column {} on.", (*column).max(1))
+            }
+            Problem::NotFinite => "The number is too large to be held.".to_owned(),
+            Problem::WrongKind { found, expected } => {
+                format!("There should be {} here, and there is {}.", kind(*expected), kind(*found))
+            }
+            Problem::Missing => "This field is missing.".to_owned(),
+            Problem::UnknownField { expected } => {
+                format!("This field has no meaning here; those that have are {}.", row_of(expected))
+            }
+            Problem::DuplicateField => "This field is there twice.".to_owned(),
+            Problem::WrongWord { found, expected } => match expected.as_slice() {
+                [only] => format!("{} is not known here; it can only be {only}.", quoted(found)),
+                _ => format!("{} is none of the choices: {}.", quoted(found), expected.join(", ")),
+            },
+            Problem::OutOfRange { found, min, max, measure } => {
+                let [found, min, max] = [found, min, max].map(|value| measured(*value, *measure, EN));
+                format!("{found} is out of range: it must be from {min} to {max}.")
+            }
+            Problem::NotBetween { found, min, max, measure } => {
+                let [found, min, max] = [found, min, max].map(|value| measured(*value, *measure, EN));
+                format!("{found} is out of range: it must be more than {min} and less than {max}.")
+            }
+            Problem::NotPositive { found, measure } => {
+                format!("It must be more than zero, and it is {}.", measured(*found, *measure, EN))
+            }
+            Problem::TitleTooLong { found, limit } => {
+                format!("The title has {found} characters; there is room for {limit}.")
+            }
+            Problem::TitleCharacter { found, position } => {
+                format!("Character {position} of the title (U+{:04X}) cannot be seen.", u32::from(*found))
+            }
+            Problem::NoSegments => "There are no segments; at least one is needed.".to_owned(),
+            Problem::TooManySegments { found, limit } => {
+                format!("There are {found} segments; there is room for {limit}.")
+            }
+            Problem::DwellRises { found, measure } => {
+                format!("A dwell cannot rise, and this one rises {}.", measured(*found, *measure, EN))
+            }
+            Problem::AdjacentPolynomials { next } => {
+                format!(
+                    "It takes its end conditions from its neighbours, and so does segment {}: they cannot be side by side.",
+                    next + 1
+                )
+            }
+            Problem::Turn { found } => {
+                let missing = 360.0 - found;
+                let (sum, difference) = (EN.exact(*found), EN.exact(missing.abs()));
+                let rest = if missing > 0.0 { "too few" } else { "too many" };
+                format!("The segments add up to {sum}°, {difference}° {rest} for a whole turn.")
+            }
+            Problem::Closing { found, measure } => {
+                let height = measured(*found, *measure, EN);
+                format!("The rises add up to {height}; they must add up to 0, so that the turn ends where it begins.")
+            }
+            Problem::BelowBase { found, measure } => {
+                format!("The follower would end at {}, below the base circle.", measured(*found, *measure, EN))
+            }
+            Problem::Eccentricity { found, prime_radius } => {
+                let (e, radius) = (EN.exact(*found), EN.exact(*prime_radius));
+                format!("An eccentricity of {e} is too large: it must be less than the prime radius, {radius}.")
+            }
+            Problem::Triangle { pivot_distance, arm, prime_radius } => {
+                let [m, arm, radius] = [pivot_distance, arm, prime_radius].map(|value| EN.exact(*value));
+                format!(
+                    "A pivot at {m}, an arm of {arm} and a prime radius of {radius} make no triangle: each must be less than the other two together."
+                )
+            }
+            Problem::FaceOutOfReach { pivot_distance, needed } => {
+                let (m, needed) = (EN.exact(*pivot_distance), EN.exact(*needed));
+                format!("From a pivot at {m} the face cannot touch the base circle: it must be at more than {needed}.")
+            }
+        }
+    }
+
+    fn link(&self, error: &LinkError) -> String {
+        match error {
+            LinkError::Empty => "The link is empty.".to_owned(),
+            LinkError::TooLong(TooLong { found, limit }) => {
+                format!("The link has {found} characters; no link has more than {limit}.")
+            }
+            LinkError::Character { found, position } => {
+                format!(
+                    "The link is damaged: character {position} is {}, which no link has.",
+                    quoted(&found.to_string())
+                )
+            }
+            LinkError::Damaged => "The link is damaged: characters were lost or changed on the way.".to_owned(),
+            LinkError::Version { found } => {
+                format!("The link is of version {}, which is newer than this program.", quoted(found))
+            }
+            LinkError::Unreadable => "The link is whole, but it is not a design that this program can read.".to_owned(),
+            LinkError::Design(error) => self.problem(&error.problem),
+        }
+    }
+
+    fn too_long(&self, TooLong { found, limit }: TooLong) -> String {
+        format!(
+            "The link would have {found} characters; beyond {limit} it does not travel well. Save the design as a file."
+        )
+    }
+
+    fn file(&self, problem: FileProblem) -> &'static str {
+        match problem {
+            FileProblem::Absent => "There is no such file.",
+            FileProblem::Folder => "It is a folder, not a file.",
+            FileProblem::Forbidden => "The file may not be read.",
+            FileProblem::Unreadable => "The file cannot be read.",
+            FileProblem::Unwritable => "The result cannot be written.",
+        }
+    }
+}
+
+/// Why a cam is unacceptable, after a colon.
+fn reason(kind: FindingKind) -> &'static str {
+    match kind {
+        FindingKind::Jump(0) => "the displacement jumps",
+        FindingKind::Jump(1) => "the velocity jumps",
+        FindingKind::Jump(2) => "the acceleration jumps",
+        FindingKind::Jump(_) => "the jerk jumps",
+        FindingKind::PressureAngle => "the pressure angle is too large",
+        FindingKind::Cusp => "the profile has a cusp",
+        FindingKind::Undercut => "the profile is undercut",
+        FindingKind::ConcaveFlat => "the flat face cannot follow the profile",
+        FindingKind::BelowBase => "the follower goes below the base circle",
+        FindingKind::SelfCrossing => "the profile crosses itself",
+        FindingKind::ArmCutsCam => "the follower cuts into the cam",
+        FindingKind::PivotInsideCam => "the cam sweeps over the pivot",
+        FindingKind::FaceOvertaken => "the face turns faster than the cam",
+        FindingKind::ContactPastPivot => "the contact passes the pivot",
+    }
+}
+
+/// What another base circle brings, after it has been named.
+fn passing(kind: FindingKind, units: Units) -> &'static str {
+    match kind {
+        FindingKind::PressureAngle => "it stays below",
+        FindingKind::Cusp | FindingKind::Undercut => "the profile has neither cusps nor undercuts",
+        FindingKind::ConcaveFlat => "the flat face touches the whole profile",
+        FindingKind::SelfCrossing => "the profile no longer crosses itself",
+        FindingKind::ArmCutsCam if units.oscillating => "the arm clears the cam",
+        FindingKind::ArmCutsCam => "the stem clears the cam",
+        FindingKind::PivotInsideCam => "the cam clears the pivot",
+        FindingKind::FaceOvertaken => "the face keeps its contact",
+        FindingKind::ContactPastPivot => "the contact stays on its side of the pivot",
+        FindingKind::Jump(_) | FindingKind::BelowBase => "the cam is sound",
+    }
+}
+
+fn in_segments(segments: &[usize]) -> String {
+    const NAMED: usize = 8;
+    match segments {
+        [one] => format!("in segment {one}"),
+        many if many.len() > NAMED => format!("in {} segments", many.len()),
+        many => format!("in segments {}", row(&many.iter().map(usize::to_string).collect::<Vec<_>>(), "and")),
+    }
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Null => "nothing (null)",
+        Kind::Boolean => "true or false",
+        Kind::Number => "a number",
+        Kind::Text => "a text",
+        Kind::List => "a list",
+        Kind::Object => "an object",
+    }
+}
+
+fn row_of(words: &[&str]) -> String {
+    row(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>(), "and")
+}

@@ -1,0 +1,156 @@
+//! What LevaLab says about a cam, in English and Spanish, for the page and the command line alike.
+//!
+//! Every sentence is written by hand in each language (`en.rs`, `es.rs`); both say the same things, since a sentence that one of
+//! them lacks does not compile. Numbers are written as the language does ([`Language::number`]).
+//!
+//! ```
+//! use levalab_core::Analysis;
+//! use levalab_format::{example, report::Report};
+//! use levalab_words::{Language, headline};
+//!
+//! let design = example("9RT").unwrap();
+//! let cam = design.cam()?;
+//! let report = Report::of(&design, &cam, &Analysis::of(&cam, 720));
+//! assert_eq!(headline(Language::En, &report), "Not for high speeds: the jerk jumps at 6 joints.");
+//! assert_eq!(headline(Language::Es, &report), "No apta para altas velocidades: la sobreaceleración salta en 6 uniones.");
+//! # Ok::<(), levalab_format::DesignError>(())
+//! ```
+//!
+//! Not here: the labels of the page's own buttons and fields.
+
+mod en;
+mod es;
+mod numbers;
+mod units;
+mod voice;
+
+pub use voice::FileProblem;
+
+use levalab_core::{FollowerKind, Law};
+use levalab_format::link::{LinkError, TooLong};
+use levalab_format::report::{DesignFinding, Report};
+use levalab_format::{Design, DesignError, Remedy};
+use units::Units;
+use voice::Voice;
+
+/// A language that LevaLab speaks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Language {
+    /// English.
+    #[default]
+    En,
+    /// Spanish.
+    Es,
+}
+
+impl Language {
+    /// Every language.
+    pub const ALL: [Self; 2] = [Self::En, Self::Es];
+
+    /// Its tag, such as `en`.
+    #[must_use]
+    pub fn tag(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::Es => "es",
+        }
+    }
+
+    /// The language of a tag.
+    #[must_use]
+    pub fn from_tag(tag: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|language| language.tag() == tag)
+    }
+
+    /// A number with four significant digits at most: `−1.25`, `12 350`, `4.3·10⁻⁶`.
+    #[must_use]
+    pub fn number(self, value: f64) -> String {
+        numbers::significant(value, 4, self.decimal_sign())
+    }
+
+    /// A number with all the digits that it was typed with.
+    #[must_use]
+    pub fn exact(self, value: f64) -> String {
+        numbers::significant(value, 12, self.decimal_sign())
+    }
+
+    /// An angle in degrees with one decimal at most: `33.2°`.
+    #[must_use]
+    pub fn angle(self, degrees: f64) -> String {
+        numbers::fixed(degrees, 1, self.decimal_sign()) + "°"
+    }
+
+    fn decimal_sign(self) -> char {
+        match self {
+            Self::En => '.',
+            Self::Es => ',',
+        }
+    }
+
+    fn voice(self) -> &'static dyn Voice {
+        match self {
+            Self::En => &en::English,
+            Self::Es => &es::Spanish,
+        }
+    }
+}
+
+/// The name of a law, as it is said before or after the word *law*: `cycloidal`.
+#[must_use]
+pub fn law(language: Language, law: &Law) -> &'static str {
+    language.voice().law(law.id).unwrap_or(law.id)
+}
+
+/// The name of a follower, as within a sentence: `oscillating roller follower`.
+#[must_use]
+pub fn follower(language: Language, kind: &FollowerKind) -> &'static str {
+    language.voice().follower(kind.id).unwrap_or(kind.id)
+}
+
+/// The verdict in one sentence.
+#[must_use]
+pub fn headline(language: Language, report: &Report) -> String {
+    language.voice().headline(report)
+}
+
+/// What a finding is, where, how much, and the limit.
+#[must_use]
+pub fn finding(language: Language, design: &Design, finding: &DesignFinding) -> String {
+    language.voice().finding(finding, Units::of(design))
+}
+
+/// What would put a finding right.
+#[must_use]
+pub fn cure(language: Language, design: &Design, finding: &DesignFinding, remedy: &Remedy) -> String {
+    language.voice().cure(finding, remedy, Units::of(design))
+}
+
+/// What is wrong with a design. The place is not told: it is in [`DesignError::path`].
+#[must_use]
+pub fn design_error(language: Language, error: &DesignError) -> String {
+    language.voice().problem(&error.problem)
+}
+
+/// Why a link does not open.
+#[must_use]
+pub fn link_error(language: Language, error: &LinkError) -> String {
+    match error {
+        LinkError::Design(error) => format!("{}: {}", error.path, design_error(language, error)),
+        _ => language.voice().link(error),
+    }
+}
+
+/// Why a design has no link.
+#[must_use]
+pub fn too_long(language: Language, refusal: TooLong) -> String {
+    language.voice().too_long(refusal)
+}
+
+/// Why a file cannot be used.
+#[must_use]
+pub fn file(language: Language, problem: FileProblem) -> &'static str {
+    language.voice().file(problem)
+}
+
+#[cfg(test)]
+mod tests;

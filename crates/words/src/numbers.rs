@@ -1,0 +1,116 @@
+//! Numbers as people write them: decimal point or comma, thin spaces between thousands, a true minus sign.
+
+/// Groups of three digits are parted by a narrow no-break space, from five whole digits on (ISO 80000-1).
+const GROUP: char = '\u{202f}';
+
+/// Whole digits that are still read at a glance.
+const UNGROUPED: usize = 4;
+
+const MINUS: char = '−';
+
+/// Below and above these a number is written with a power of ten.
+const SMALL: f64 = 1e-4;
+const LARGE: f64 = 1e7;
+
+/// A number with so many significant digits at most, and no zeros at the end.
+pub(crate) fn significant(value: f64, digits: usize, sign: char) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return fixed(value, 0, sign);
+    }
+    let scientific = format!("{:.*e}", digits - 1, value.abs());
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    // Rounded first, so that 9 999 999.9 becomes the power of ten that it rounds to.
+    let rounded: f64 = scientific.parse().unwrap_or(value.abs());
+    let text = if (SMALL..LARGE).contains(&rounded) {
+        plain(&format!("{:.*}", (digits as i32 - 1 - exponent).max(0) as usize, rounded), sign)
+    } else {
+        format!("{}·10{}", plain(mantissa, sign), superscript(exponent))
+    };
+    signed(value, text)
+}
+
+/// A number with so many decimals at most, and no zeros at the end.
+pub(crate) fn fixed(value: f64, decimals: usize, sign: char) -> String {
+    if value.is_nan() {
+        return "–".to_owned();
+    }
+    let text = if value.is_infinite() { "∞".to_owned() } else { plain(&format!("{:.decimals$}", value.abs()), sign) };
+    signed(value, text)
+}
+
+/// A number told beside a limit: with as many decimals, one or more, as it takes to tell them apart.
+pub(crate) fn beside(value: f64, limit: f64, sign: char) -> String {
+    const MOST: usize = 6;
+    let decimals = (1..MOST).find(|&decimals| fixed(value, decimals, sign) != fixed(limit, decimals, sign));
+    fixed(value, decimals.unwrap_or(MOST), sign)
+}
+
+fn signed(value: f64, text: String) -> String {
+    let nothing = text.chars().all(|c| !matches!(c, '1'..='9' | '∞'));
+    if value < 0.0 && !nothing { format!("{MINUS}{text}") } else { text }
+}
+
+/// Digits with a point, grouped, with the sign of the language and without zeros at the end.
+fn plain(digits: &str, sign: char) -> String {
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let fraction = fraction.trim_end_matches('0');
+    let mut text = String::new();
+    for (i, digit) in whole.chars().enumerate() {
+        if i > 0 && whole.len() > UNGROUPED && (whole.len() - i).is_multiple_of(3) {
+            text.push(GROUP);
+        }
+        text.push(digit);
+    }
+    if !fraction.is_empty() {
+        text.push(sign);
+        text.push_str(fraction);
+    }
+    text
+}
+
+fn superscript(exponent: i32) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
+    exponent.to_string().chars().map(raised).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_written_as_in_books() {
+        for (value, expected) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (33.2, "33.2"),
+            (43.298, "43.3"),
+            (-1.25, "−1.25"),
+            (1234.5, "1234"),
+            (12_345.0, "12\u{202f}340"),
+            (0.001, "0.001"),
+            (0.000_012_34, "1.234·10⁻⁵"),
+            (9_999_999.9, "1·10⁷"),
+            (f64::NEG_INFINITY, "−∞"),
+        ] {
+            assert_eq!(significant(value, 4, '.'), expected);
+        }
+        assert_eq!(significant(360.000_000_002, 12, ','), "360,000000002");
+        assert_eq!(significant(0.1 + 0.2, 12, ','), "0,3");
+    }
+
+    #[test]
+    fn angles_keep_one_decimal() {
+        assert_eq!(fixed(58.04, 1, '.'), "58");
+        assert_eq!(fixed(-30.37, 1, ','), "−30,4");
+        assert_eq!(fixed(-0.01, 1, '.'), "0");
+    }
+
+    #[test]
+    fn a_value_is_told_apart_from_its_limit() {
+        assert_eq!(beside(33.2, 30.0, '.'), "33.2");
+        assert_eq!(beside(30.02, 30.0, '.'), "30.02");
+        assert_eq!(beside(30.0, 30.0, '.'), "30");
+    }
+}

@@ -1,0 +1,193 @@
+//! Claims about sentences.
+
+use super::*;
+use levalab_core::{Analysis, Column, FOLLOWERS, FindingKind, LAWS, Level};
+use levalab_format::{Kind, Measure, Path, Problem, cures, example};
+
+fn report(name: &str) -> (Design, Report) {
+    let design = example(name).expect(name);
+    let report = report_of(&design);
+    (design, report)
+}
+
+fn report_of(design: &Design) -> Report {
+    let cam = design.cam().expect("a cam");
+    Report::of(design, &cam, &Analysis::of(&cam, 1))
+}
+
+fn finding_of(kind: FindingKind) -> DesignFinding {
+    let places = vec![120.0, 240.0];
+    DesignFinding {
+        kind,
+        theta: 120.0,
+        interval: Some([350.0, 370.0]),
+        places,
+        value: Some(-12.345),
+        limit: Some(30.0),
+    }
+}
+
+const KINDS: [FindingKind; 14] = [
+    FindingKind::Jump(0),
+    FindingKind::Jump(1),
+    FindingKind::Jump(2),
+    FindingKind::Jump(3),
+    FindingKind::PressureAngle,
+    FindingKind::Cusp,
+    FindingKind::Undercut,
+    FindingKind::ConcaveFlat,
+    FindingKind::BelowBase,
+    FindingKind::SelfCrossing,
+    FindingKind::ArmCutsCam,
+    FindingKind::PivotInsideCam,
+    FindingKind::FaceOvertaken,
+    FindingKind::ContactPastPivot,
+];
+
+fn problems() -> Vec<Problem> {
+    let measure = Measure::Degrees;
+    vec![
+        Problem::FileTooLarge { bytes: 2_000_000, limit: 1_048_576 },
+        Problem::NotText,
+        Problem::NotJson { line: 3, column: 0 },
+        Problem::NotFinite,
+        Problem::WrongKind { found: Kind::Null, expected: Kind::Number },
+        Problem::Missing,
+        Problem::UnknownField { expected: vec!["law", "beta", "rise"] },
+        Problem::DuplicateField,
+        Problem::WrongWord { found: "a\nb".to_owned(), expected: vec!["mm", "cm"] },
+        Problem::WrongWord { found: "levalab/2".to_owned(), expected: vec!["levalab/1"] },
+        Problem::OutOfRange { found: 361.0, min: 0.001, max: 360.0, measure },
+        Problem::NotBetween { found: 90.0, min: -90.0, max: 90.0, measure },
+        Problem::NotPositive { found: -3.0, measure: Measure::Length },
+        Problem::TitleTooLong { found: 65, limit: 64 },
+        Problem::TitleCharacter { found: '\u{202e}', position: 3 },
+        Problem::NoSegments,
+        Problem::TooManySegments { found: 65, limit: 64 },
+        Problem::DwellRises { found: 1.5, measure },
+        Problem::AdjacentPolynomials { next: 2 },
+        Problem::Turn { found: 359.0 },
+        Problem::Turn { found: 370.0 },
+        Problem::Closing { found: 0.1, measure },
+        Problem::BelowBase { found: -0.1, measure },
+        Problem::Eccentricity { found: 42.0, prime_radius: 42.0 },
+        Problem::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 },
+        Problem::FaceOutOfReach { pivot_distance: 30.0, needed: 40.0 },
+    ]
+}
+
+fn links() -> Vec<LinkError> {
+    vec![
+        LinkError::Empty,
+        LinkError::TooLong(TooLong { found: 9000, limit: 8192 }),
+        LinkError::Character { found: '%', position: 3 },
+        LinkError::Damaged,
+        LinkError::Version { found: "2".to_owned() },
+        LinkError::Unreadable,
+        LinkError::Design(DesignError { path: Path::from("segments"), problem: Problem::Turn { found: 350.0 } }),
+    ]
+}
+
+/// One line, a capital or a figure first, a full stop last, no number of the wrong language, nothing unknown.
+fn check(language: Language, sentence: &str) {
+    assert!(sentence.ends_with('.') && !sentence.contains(['\n', '\r']), "{sentence:?}");
+    assert!(!sentence.contains("..") && !sentence.contains("  ") && !sentence.contains('–'), "{sentence:?}");
+    let foreign = if language == Language::Es { "12.3" } else { "12,3" };
+    assert!(!sentence.contains(foreign), "{sentence:?}");
+}
+
+#[test]
+fn every_law_and_follower_has_a_name_in_every_language() {
+    for language in Language::ALL {
+        for entry in LAWS {
+            assert!(language.voice().law(entry.id).is_some(), "{} {}", language.tag(), entry.id);
+        }
+        for kind in FOLLOWERS {
+            assert!(language.voice().follower(kind.id).is_some(), "{} {}", language.tag(), kind.id);
+        }
+    }
+}
+
+#[test]
+fn sentences_are_one_line_each() {
+    let designs = [example("9RT").expect("9RT"), example("2RO").expect("2RO")];
+    for language in Language::ALL {
+        for design in &designs {
+            for found in KINDS.map(finding_of) {
+                check(language, &finding(language, design, &found));
+                for grows in [true, false] {
+                    check(language, &cure(language, design, &found, &Remedy::BaseRadius { value: 43.3, grows }));
+                }
+                let eased = Remedy::Eccentricity { value: -12.34, pressure_angle: 31.0 };
+                check(language, &cure(language, design, &found, &eased));
+                for remaining_jump in [None, Some(Column::J), Some(Column::A)] {
+                    let changes = vec![(0, LAWS[7]), (2, LAWS[7]), (3, LAWS[8])];
+                    check(language, &cure(language, design, &found, &Remedy::Laws { changes, remaining_jump }));
+                }
+            }
+        }
+        for problem in problems() {
+            check(language, &design_error(language, &DesignError { path: Path::default(), problem }));
+        }
+        for error in links() {
+            check(language, &link_error(language, &error));
+        }
+        check(language, &too_long(language, TooLong { found: 2001, limit: 2000 }));
+    }
+}
+
+#[test]
+fn headlines_name_each_reason_once() {
+    let (_, mut report) = report("9RT");
+    report.findings = KINDS[2..8].iter().chain(&KINDS[2..4]).copied().map(finding_of).collect();
+    report.level = Level::Unacceptable;
+    assert_eq!(
+        headline(Language::En, &report),
+        "Unacceptable: the acceleration jumps, the pressure angle is too large, the profile has a cusp, the profile is undercut \
+         and the flat face cannot follow the profile."
+    );
+    let (_, good) = self::report("2RO");
+    check(Language::En, &headline(Language::En, &good));
+    check(Language::Es, &headline(Language::Es, &good));
+}
+
+#[test]
+fn the_pressure_angle_of_a_textbook_is_told_with_its_cure() {
+    let mut design = example("9RT").expect("9RT");
+    design.base_radius = 25.0;
+    let cam = design.cam().expect("a cam");
+    let analysis = Analysis::of(&cam, 1);
+    let report = Report::of(&design, &cam, &analysis);
+    let steep = report.findings.iter().position(|finding| finding.kind == FindingKind::PressureAngle).expect("steep");
+    let found = &report.findings[steep];
+    assert_eq!(
+        finding(Language::En, &design, found),
+        "The pressure angle reaches 34.3° at 296.2°, above the 30° that a translating follower tolerates."
+    );
+    assert_eq!(
+        finding(Language::Es, &design, found),
+        "El ángulo de presión llega a 34,3° en 296,2°, por encima de los 30° que tolera un seguidor de traslación."
+    );
+    let told: Vec<String> = cures(&design, &cam, &analysis)[steep]
+        .iter()
+        .map(|cured| cure(Language::Es, &design, found, &cured.remedy))
+        .collect();
+    assert!(
+        told.iter()
+            .any(|sentence| sentence.starts_with("Con Rb ≥ 3") && sentence.ends_with("mm se mantiene por debajo.")),
+        "{told:?}"
+    );
+}
+
+#[test]
+fn numbers_agree_with_their_nouns() {
+    let told = |language, found| {
+        design_error(language, &DesignError { path: Path::default(), problem: Problem::Turn { found } })
+    };
+    assert_eq!(told(Language::Es, 359.0), "Los tramos suman 359°: falta 1° para una vuelta completa.");
+    assert_eq!(told(Language::Es, 370.0), "Los tramos suman 370°: sobran 10° para una vuelta completa.");
+    assert_eq!(told(Language::En, 359.5), "The segments add up to 359.5°, 0.5° too few for a whole turn.");
+    let (_, mut report) = report("9RT");
+    report.findings[0].places.truncate(1);
+    assert_eq!(headline(Language::En, &report), "Not for high speeds: the jerk jumps at one joint.");
+}
