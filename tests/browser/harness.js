@@ -37,7 +37,9 @@ export async function openPage(t, { url, fragment = "", ready = true, ...options
   });
   try {
     await page.goto(address + (fragment && `#${fragment}`));
-    if (ready) await drawn(page);
+    // An uncaught error before the first drawing needs no further waiting.
+    const broken = new Promise((_, reject) => page.once("pageerror", reject));
+    if (ready) await Promise.race([drawn(page), broken]);
   } catch (cause) {
     throw new Error(["the page did not draw", ...complaints].join("\n"), { cause });
   }
@@ -52,14 +54,16 @@ export async function openPage(t, { url, fragment = "", ready = true, ...options
 function watch(page, origin) {
   /** @type {string[]} */
   const complaints = [];
-  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.message}`));
+  /** @param {string} complaint */
+  const complain = (complaint) => complaints.includes(complaint) || complaints.push(complaint);
+  page.on("pageerror", (error) => complain(`uncaught: ${error.message}`));
   // Breaches of the policy and failed loads arrive here too.
   page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(`console: ${message.text()}`);
+    if (message.type() === "error") complain(`console: ${message.text()}`);
   });
   page.on("request", (request) => {
     const { protocol, origin: asked } = new URL(request.url());
-    if (!["data:", "blob:"].includes(protocol) && asked !== origin) complaints.push(`request to ${request.url()}`);
+    if (!["data:", "blob:"].includes(protocol) && asked !== origin) complain(`request to ${request.url()}`);
   });
   return complaints;
 }
