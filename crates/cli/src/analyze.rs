@@ -1,0 +1,111 @@
+//! `levalab analyze`: everything there is to say about a cam, for other programs.
+
+use crate::failure::Failure;
+use levalab_core::{Analysis, Cam};
+use levalab_format::report::{self, DesignFinding, Report, level_name};
+use levalab_format::{Design, DesignCure, Edit};
+use levalab_words::Language;
+use serde::{Serialize, Serializer};
+use std::fmt::Write;
+
+#[derive(Serialize)]
+struct Answer {
+    verdict: Verdict,
+    summary: InOrder<report::Range>,
+    columns: InOrder<Vec<f64>>,
+}
+
+#[derive(Serialize)]
+struct Verdict {
+    level: &'static str,
+    headline: String,
+    findings: Vec<Found>,
+}
+
+#[derive(Serialize)]
+struct Found {
+    code: &'static str,
+    severity: &'static str,
+    theta: f64,
+    interval: Option<[f64; 2]>,
+    places: Vec<f64>,
+    value: Option<f64>,
+    limit: Option<f64>,
+    message: String,
+    cure: Option<Cured>,
+    cures: Vec<Cured>,
+}
+
+#[derive(Clone, Serialize)]
+struct Cured {
+    message: String,
+    edits: Vec<Edit>,
+}
+
+/// An object whose fields keep their order.
+struct InOrder<T>(Vec<(&'static str, T)>);
+
+impl<T: Serialize> Serialize for InOrder<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// Verdict, summary and columns; what is not finite is null.
+pub fn json(design: &Design, samples: usize, language: Language) -> Result<String, Failure> {
+    let (cam, analysis) = analysis(design, samples, language)?;
+    let report = Report::of(design, &cam, &analysis);
+    let cures = levalab_format::cures(design, &cam, &analysis);
+    let findings = report.findings.iter().zip(&cures).map(|(finding, cures)| found(design, finding, cures, language));
+    let verdict = Verdict {
+        level: level_name(report.level),
+        headline: levalab_words::headline(language, &report),
+        findings: findings.collect(),
+    };
+    let columns = InOrder(report::columns(design, &analysis));
+    let answer = Answer { verdict, summary: InOrder(report.summary), columns };
+    serde_json::to_string(&answer).map(|text| text + "\n").map_err(|_| Failure::no_output(language))
+}
+
+/// The columns; what is not finite is `inf` or `-inf`.
+pub fn csv(design: &Design, samples: usize, language: Language) -> Result<String, Failure> {
+    let (_, analysis) = analysis(design, samples, language)?;
+    let columns = report::columns(design, &analysis);
+    let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+    let mut text = names.join(",") + "\n";
+    for row in 0..=samples {
+        for (k, (_, values)) in columns.iter().enumerate() {
+            let comma = if k == 0 { "" } else { "," };
+            // As in JSON: the fewest digits that read back. Writing to memory cannot fail.
+            let _ = write!(text, "{comma}{:?}", values[row]);
+        }
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+fn analysis(design: &Design, samples: usize, language: Language) -> Result<(Cam, Analysis), Failure> {
+    let cam = design.cam().map_err(|error| Failure::design(&error, language))?;
+    let analysis = Analysis::of(&cam, samples);
+    Ok((cam, analysis))
+}
+
+fn found(design: &Design, finding: &DesignFinding, cures: &[DesignCure], language: Language) -> Found {
+    let told = |cure: &DesignCure| Cured {
+        message: levalab_words::cure(language, design, finding, &cure.remedy),
+        edits: cure.edits.clone(),
+    };
+    let cures: Vec<Cured> = cures.iter().map(told).collect();
+    Found {
+        code: finding.kind.code(),
+        severity: level_name(finding.kind.severity()),
+        theta: finding.theta,
+        interval: finding.interval,
+        places: finding.places.clone(),
+        value: finding.value,
+        limit: finding.limit,
+        message: levalab_words::finding(language, design, finding),
+        cure: cures.first().cloned(),
+        cures,
+    }
+}

@@ -1,0 +1,57 @@
+//! `levalab check`: the verdict in words.
+
+use crate::failure::{Failure, shown};
+use crate::{input, output};
+use levalab_core::{Analysis, Level};
+use levalab_format::report::Report;
+use levalab_words::Language;
+use std::process::ExitCode;
+
+/// Writes the verdict on each file; the exit code is the worst of them all. A file that cannot be judged is told and the rest are
+/// judged all the same.
+pub fn run(files: &[String], language: Language) -> Result<ExitCode, Failure> {
+    let several = files.len() > 1;
+    let mut worst = 0;
+    for file in files {
+        let code = match judge(file, language) {
+            Ok((level, verdict)) => {
+                let name = if several { format!("{}: ", shown(file)) } else { String::new() };
+                output::write(&format!("{name}{verdict}"), language)?;
+                code_of(level)
+            }
+            Err(failure) => {
+                let failure = if several { failure.of(file) } else { failure };
+                failure.tell();
+                failure.code()
+            }
+        };
+        worst = worst.max(code);
+    }
+    Ok(ExitCode::from(worst))
+}
+
+fn code_of(level: Level) -> u8 {
+    match level {
+        Level::Acceptable => 0,
+        Level::LowSpeed => 1,
+        Level::Unacceptable => 2,
+    }
+}
+
+/// The headline, then each finding with its cures.
+fn judge(file: &str, language: Language) -> Result<(Level, String), Failure> {
+    let design = input::design(file, language)?;
+    let cam = design.cam().map_err(|error| Failure::design(&error, language))?;
+    // The verdict is exact whatever the steps are.
+    let analysis = Analysis::of(&cam, 1);
+    let report = Report::of(&design, &cam, &analysis);
+    let mut text = levalab_words::headline(language, &report) + "\n";
+    let cures = levalab_format::cures(&design, &cam, &analysis);
+    for (finding, cures) in report.findings.iter().zip(&cures) {
+        text += &format!("  {}\n", levalab_words::finding(language, &design, finding));
+        for cure in cures {
+            text += &format!("  → {}\n", levalab_words::cure(language, &design, finding, &cure.remedy));
+        }
+    }
+    Ok((report.level, text))
+}

@@ -1,0 +1,45 @@
+//! Designs from files, standard input and links.
+
+use crate::failure::{Failure, shown};
+use levalab_format::limits::{MAX_FILE_BYTES, MAX_LINK_OPENED};
+use levalab_format::{Design, link};
+use levalab_words::Language;
+use std::fs::File;
+use std::io::{self, Read};
+
+/// The name that stands for standard input.
+const STANDARD_INPUT: &str = "-";
+
+/// Longest address before the `#` of a link that is read from standard input, bytes.
+const LONGEST_ADDRESS: usize = 8192;
+
+/// The design of a design file.
+pub fn design(name: &str, language: Language) -> Result<Design, Failure> {
+    // One byte more than the most, so that a file that is too large is seen to be.
+    let bytes = read(name, MAX_FILE_BYTES + 1, language)?;
+    Design::from_bytes(&bytes).map_err(|error| Failure::design(&error, language))
+}
+
+/// The design of a link.
+pub fn design_of_link(text: &str, language: Language) -> Result<Design, Failure> {
+    let text = if text == STANDARD_INPUT {
+        let bytes = read(text, MAX_LINK_OPENED + LONGEST_ADDRESS, language)?;
+        String::from_utf8_lossy(&bytes).into_owned()
+    } else {
+        text.to_owned()
+    };
+    let refused = |error| Failure::data("link", levalab_words::link_error(language, &error));
+    link::decode(link::within(&text)).map_err(refused)
+}
+
+fn read(name: &str, most: usize, language: Language) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let limit = most as u64;
+    let read = if name == STANDARD_INPUT {
+        io::stdin().lock().take(limit).read_to_end(&mut bytes)
+    } else {
+        File::open(name).and_then(|file| file.take(limit).read_to_end(&mut bytes))
+    };
+    read.map_err(|error| Failure::no_input(&shown(name), &error, language))?;
+    Ok(bytes)
+}

@@ -1,0 +1,127 @@
+//! `levalab`: analyses and checks design files, and turns them into share links and back.
+//!
+//! Results go to standard output; an error is one line on standard error, with nothing on standard output and one of the exit
+//! codes of [`Failure`].
+
+mod analyze;
+mod check;
+mod failure;
+mod input;
+mod output;
+
+use clap::error::ErrorKind;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use failure::Failure;
+use levalab_format::link;
+use levalab_words::Language;
+use std::process::ExitCode;
+
+/// Designs, analyses and checks plate cams.
+#[derive(Parser)]
+#[command(name = "levalab", version, after_help = EXIT_CODES)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+    /// Language of sentences.
+    #[arg(long, global = true, value_enum, default_value_t = Tongue::En)]
+    lang: Tongue,
+}
+
+const EXIT_CODES: &str = "FILE is a design file (.lev.json), or - for standard input.\n\
+    Exit codes: 0 done, 64 wrong use, 65 bad design or link, 66 no such file, 74 cannot write;\n\
+    of `check`: 0 acceptable, 1 not for high speeds, 2 unacceptable.";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Tongue {
+    /// English.
+    En,
+    /// Spanish.
+    Es,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Writes motion, profile, pressure angle, radius of curvature and verdict, as JSON or CSV.
+    Analyze(Analyze),
+    /// Writes the verdict in words; the exit code tells it too.
+    Check {
+        /// Design files; the worst verdict is the exit code.
+        #[arg(required = true)]
+        files: Vec<String>,
+    },
+    /// Writes the share link of a design, the part after `#`.
+    Link {
+        /// Design file.
+        file: String,
+    },
+    /// Writes the design file of a share link.
+    Open {
+        /// Link, with or without `#` and the address before it, or - for standard input.
+        link: String,
+    },
+}
+
+#[derive(Args)]
+struct Analyze {
+    /// Design file.
+    file: String,
+    /// Equal steps over the turn; there is one row more.
+    #[arg(long, default_value_t = 720, value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
+    samples: u32,
+    /// JSON: verdict, summary and columns (the default).
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// CSV: the columns.
+    #[arg(long)]
+    csv: bool,
+}
+
+/// Most steps over a turn: finer than any machine divides, and still some 30 MB of JSON.
+const MOST_SAMPLES: i64 = 100_000;
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(refusal) => return answer(&refusal),
+    };
+    let language = match cli.lang {
+        Tongue::En => Language::En,
+        Tongue::Es => Language::Es,
+    };
+    run(cli.command, language).unwrap_or_else(|failure| failure.report())
+}
+
+fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
+    let text = match command {
+        Command::Check { files } => return check::run(&files, language),
+        Command::Analyze(Analyze { file, samples, csv, .. }) => {
+            let design = input::design(&file, language)?;
+            let samples = samples as usize;
+            if csv { analyze::csv(&design, samples, language)? } else { analyze::json(&design, samples, language)? }
+        }
+        Command::Link { file } => {
+            let design = input::design(&file, language)?;
+            let refused = |refusal| Failure::data("link", levalab_words::too_long(language, refusal));
+            link::encode(&design).map_err(refused)? + "\n"
+        }
+        Command::Open { link } => input::design_of_link(&link, language)?.to_json(),
+    };
+    output::write(&text, language)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Help and version when asked for; otherwise what is wrong with the command line, in one line.
+fn answer(refusal: &clap::Error) -> ExitCode {
+    if matches!(refusal.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) {
+        // Nobody is told when help cannot be written.
+        let _ = refusal.print();
+        return ExitCode::SUCCESS;
+    }
+    let text = refusal.to_string();
+    let said = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error:");
+    let line = match refusal.kind() {
+        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => "no command; try 'levalab --help'".to_owned(),
+        _ => said.split_whitespace().collect::<Vec<_>>().join(" "),
+    };
+    Failure::usage(line).report()
+}

@@ -1,0 +1,217 @@
+//! The command as programs and people use it: what goes in, what comes out, and how it ends.
+
+use levalab_format::testing::{self, Random};
+use levalab_format::{Design, EXAMPLES, example};
+use serde_json::Value;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_levalab"));
+    command.args(arguments);
+    command
+}
+
+fn levalab(arguments: &[&str]) -> Output {
+    command(arguments).stdin(Stdio::null()).output().expect("levalab runs")
+}
+
+fn with_input(arguments: &[&str], input: &[u8]) -> Output {
+    let mut command = command(arguments);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("levalab runs");
+    // One that ends without reading closes the pipe.
+    let _ = child.stdin.take().expect("a pipe").write_all(input);
+    child.wait_with_output().expect("levalab ends")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("text")
+}
+
+fn file_of(name: &str) -> String {
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(format!("{name}.lev.json"));
+    file.to_str().expect("a plain path").to_owned()
+}
+
+/// An error is one line that begins so, with nothing on standard output.
+fn check_refusal(output: &Output, code: i32, beginning: &str) {
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{said}");
+    assert_eq!(text(&output.stdout), "", "{said}");
+    assert!(said.starts_with(beginning) && said.ends_with('\n') && said.lines().count() == 1, "{said:?}");
+}
+
+fn analysis(arguments: &[&str]) -> Value {
+    let output = levalab(&[&["analyze"], arguments].concat());
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+#[test]
+fn link_and_open_give_the_file_back() {
+    for (name, json) in EXAMPLES {
+        let link = levalab(&["link", &file_of(name)]);
+        assert!(link.status.success());
+        assert_eq!(text(&with_input(&["open", "-"], &link.stdout).stdout), *json);
+        let link = text(&link.stdout);
+        for pasted in [link.trim().to_owned(), format!("#{}", link.trim()), format!("https://example.org/#{link}")] {
+            assert_eq!(text(&levalab(&["open", &pasted]).stdout), *json);
+        }
+    }
+}
+
+#[test]
+fn any_design_survives_the_pipeline() {
+    let mut random = Random::new(7);
+    for _ in 0..10 {
+        let design = testing::design(&mut random);
+        let link = with_input(&["link", "-"], design.to_json().as_bytes());
+        if !link.status.success() {
+            check_refusal(&link, 65, "levalab: link: The link would have");
+            continue;
+        }
+        let opened = with_input(&["open", "-"], &link.stdout);
+        assert_eq!(Design::from_bytes(&opened.stdout), Ok(design));
+    }
+}
+
+#[test]
+fn an_analysis_has_the_shape_of_the_contract() {
+    let answer = analysis(&[&file_of("9RT"), "--samples", "360", "--json"]);
+    assert_eq!(answer["verdict"]["level"], "low-speed");
+    let finding = &answer["verdict"]["findings"][0];
+    assert_eq!((&finding["code"], finding["value"].is_f64()), (&"jerk-jump".into(), true));
+    assert_eq!(finding["cure"], finding["cures"][0]);
+    assert!(finding["cure"]["edits"][0]["path"].is_array());
+    for name in ["s", "v", "a", "j", "pressure_angle", "rho", "rho_pitch"] {
+        assert!(answer["summary"][name]["max_at"].is_number(), "{name}");
+    }
+    let names = ["theta", "s", "v", "a", "j", "pressure_angle", "rho", "rho_pitch", "x", "y", "pitch_x", "pitch_y"];
+    let columns = answer["columns"].as_object().expect("columns");
+    assert_eq!(columns.len(), names.len());
+    for name in names {
+        let column = columns[name].as_array().expect(name);
+        assert_eq!(column.len(), 361, "{name}");
+        assert!(name == "theta" || column[0] == column[360], "{name} repeats its first row");
+    }
+    assert_eq!((columns["theta"][143].as_f64(), columns["theta"][360].as_f64()), (Some(143.0), Some(360.0)));
+}
+
+#[test]
+fn columns_that_do_not_apply_are_absent() {
+    let flat = analysis(&[&file_of("10EX"), "--samples", "4"]);
+    assert!(flat["columns"]["contact"].is_array() && flat["columns"].get("pitch_x").is_none());
+    assert!(flat["summary"]["contact"].is_object() && flat["summary"].get("rho_pitch").is_none());
+    assert!(analysis(&[&file_of("9RT"), "--samples", "4"])["columns"].get("contact").is_none());
+}
+
+#[test]
+fn a_swinging_follower_is_told_in_degrees() {
+    let answer = analysis(&[&file_of("2RO")]);
+    assert_eq!(answer["columns"]["s"].as_array().expect("s").len(), 721, "720 steps unless told otherwise");
+    assert!((answer["columns"]["s"][300].as_f64().expect("s") - 10.0).abs() < 1e-12);
+    // 4-5-6-7: the greatest velocity is 2.1875·L/β.
+    let fastest = answer["summary"]["v"]["max"].as_f64().expect("v");
+    assert!((fastest - 2.1875 * 10.0 / 120_f64.to_radians()).abs() < 1e-9);
+}
+
+#[test]
+fn a_profile_without_bounds_is_null_in_json_and_inf_in_csv() {
+    assert!(analysis(&[&file_of("9RT")])["summary"]["rho"]["max"].is_null());
+    let mut random = Random::new(3);
+    for _ in 0..20 {
+        let csv = with_input(
+            &["analyze", "-", "--csv", "--samples", "16"],
+            testing::design(&mut random).to_json().as_bytes(),
+        );
+        let csv = text(&csv.stdout);
+        let mut lines = csv.lines();
+        let names: Vec<&str> = lines.next().expect("names").split(',').collect();
+        assert_eq!(names[..6], ["theta", "s", "v", "a", "j", "pressure_angle"]);
+        let rows: Vec<&str> = lines.collect();
+        assert_eq!(rows.len(), 17);
+        for row in rows {
+            assert_eq!(row.split(',').count(), names.len());
+            assert!(row.split(',').all(|cell| cell.parse::<f64>().is_ok_and(|value| !value.is_nan())), "{row}");
+        }
+    }
+}
+
+#[test]
+fn check_ends_with_the_verdict() {
+    for (name, code) in [("2RO", 0), ("10EX", 0), ("9RT", 1), ("4PO", 1), ("12PO", 1), ("R1", 2), ("R5", 2)] {
+        assert_eq!(levalab(&["check", &file_of(name)]).status.code(), Some(code), "{name}");
+    }
+    let several = levalab(&["check", &file_of("2RO"), &file_of("R5"), &file_of("9RT")]);
+    assert_eq!(several.status.code(), Some(2));
+    assert_eq!(text(&several.stdout).lines().filter(|line| line.contains(".lev.json: ")).count(), 3);
+    let missing = levalab(&["check", &file_of("2RO"), "absent.lev.json"]);
+    assert_eq!(missing.status.code(), Some(66));
+    assert!(!missing.stdout.is_empty() && text(&missing.stderr).starts_with("levalab: absent.lev.json: "));
+}
+
+#[test]
+fn check_speaks_both_languages() {
+    let said = |language| text(&levalab(&["check", &file_of("9RT"), "--lang", language]).stdout);
+    assert!(said("en").starts_with("Not for high speeds: the jerk jumps at 6 joints.\n"), "{}", said("en"));
+    assert!(
+        said("es").starts_with("No apta para altas velocidades: la sobreaceleración salta en 6 uniones.\n"),
+        "{}",
+        said("es")
+    );
+}
+
+#[test]
+fn an_error_names_its_place_on_one_line() {
+    let mut design = example("9RT").expect("9RT");
+    design.segments[2].beta = -1.0;
+    for order in ["analyze", "check", "link"] {
+        check_refusal(&with_input(&[order, "-"], design.to_json().as_bytes()), 65, "levalab: segments[2].beta: ");
+    }
+    check_refusal(&with_input(&["check", "-"], b"{"), 65, "levalab: ");
+    check_refusal(&with_input(&["check", "-"], &[0xff]), 65, "levalab: ");
+    check_refusal(
+        &with_input(&["check", "-"], br#"{"format": "levalab/1", "a\nb": 1}"#),
+        65,
+        r#"levalab: ["a\u{a}b"]: "#,
+    );
+    check_refusal(&with_input(&["check", "-"], &vec![b' '; 2 << 20]), 65, "levalab: The file has ");
+    check_refusal(&levalab(&["open", "1.a.b"]), 65, "levalab: link: ");
+    check_refusal(&levalab(&["check", "--lang", "es", "absent"]), 66, "levalab: absent: No existe ese archivo.");
+    check_refusal(&levalab(&["check", env!("CARGO_MANIFEST_DIR")]), 66, "levalab: ");
+}
+
+#[test]
+fn wrong_use_ends_with_64() {
+    let file = file_of("9RT");
+    let wrong: [&[&str]; 9] = [
+        &[],
+        &["frobnicate"],
+        &["analyze"],
+        &["check"],
+        &["analyze", &file, "--samples", "0"],
+        &["analyze", &file, "--samples", "100001"],
+        &["analyze", &file, "--samples", "many"],
+        &["analyze", &file, "--json", "--csv"],
+        &["check", &file, "--lang", "fr"],
+    ];
+    for arguments in wrong {
+        check_refusal(&levalab(arguments), 64, "levalab: ");
+    }
+    assert!(levalab(&["--help"]).status.success() && levalab(&["--version"]).status.success());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_cannot_be_written_ends_with_74_and_a_closed_pipe_is_no_error() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("/dev/full");
+    let output = command(&["analyze", &file_of("9RT")]).stdout(full).output().expect("levalab runs");
+    assert_eq!(output.status.code(), Some(74));
+    let mut command = command(&["analyze", &file_of("9RT"), "--samples", "20000"]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("levalab runs");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("levalab ends");
+    assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
+}
