@@ -1,0 +1,123 @@
+//! What the page's forms are built from: laws, followers, units and examples, straight from the lists of the crates inside.
+
+use levalab_core::law::{Arguments, Group, LAWS, Law};
+use levalab_core::{FOLLOWERS, FollowerKind, MAX_SEGMENTS, Parameter, Quantity};
+use levalab_format::{EXAMPLES, LengthUnit, SpeedUnit, limits, motion_and_contact};
+use serde::Serialize;
+use serde_json::Value;
+
+/// Everything a form can offer.
+#[derive(Serialize)]
+pub struct Catalogue {
+    laws: Vec<LawEntry>,
+    followers: Vec<FollowerEntry>,
+    length_units: Vec<&'static str>,
+    speed_units: Vec<&'static str>,
+    examples: Vec<Example>,
+    limits: Limits,
+}
+
+#[derive(Serialize)]
+struct LawEntry {
+    id: &'static str,
+    group: &'static str,
+    moves: bool,
+    parameters: Vec<ParameterEntry>,
+    thumbnail: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct FollowerEntry {
+    id: &'static str,
+    motion: &'static str,
+    contact: &'static str,
+    parameters: Vec<ParameterEntry>,
+}
+
+#[derive(Serialize)]
+struct ParameterEntry {
+    key: &'static str,
+    symbol: &'static str,
+    quantity: &'static str,
+    default: Option<f64>,
+    optional: bool,
+}
+
+#[derive(Serialize)]
+struct Example {
+    id: &'static str,
+    design: Value,
+}
+
+#[derive(Serialize)]
+struct Limits {
+    segments: usize,
+    title: usize,
+    link: usize,
+}
+
+impl Catalogue {
+    /// Gathers it.
+    pub fn new() -> Self {
+        Self {
+            laws: LAWS.iter().map(|law| LawEntry::of(law)).collect(),
+            followers: FOLLOWERS.iter().map(|kind| FollowerEntry::of(kind)).collect(),
+            length_units: LengthUnit::ALL.map(LengthUnit::symbol).into(),
+            speed_units: SpeedUnit::ALL.map(SpeedUnit::symbol).into(),
+            examples: EXAMPLES
+                .iter()
+                .filter_map(|&(id, json)| Some(Example { id, design: serde_json::from_str(json).ok()? }))
+                .collect(),
+            limits: Limits { segments: MAX_SEGMENTS, title: limits::MAX_TITLE, link: limits::MAX_LINK_MADE },
+        }
+    }
+}
+
+impl LawEntry {
+    fn of(law: &Law) -> Self {
+        let group = match law.group {
+            Group::Basic => "basic",
+            Group::Standard => "standard",
+            Group::Half => "half",
+            Group::Matched => "matched",
+        };
+        Self {
+            id: law.id,
+            group,
+            moves: !law.is_dwell(),
+            parameters: law.parameters.iter().map(ParameterEntry::of).collect(),
+            thumbnail: thumbnail(law),
+        }
+    }
+}
+
+impl FollowerEntry {
+    fn of(kind: &FollowerKind) -> Self {
+        let (motion, contact) = motion_and_contact(kind);
+        Self { id: kind.id, motion, contact, parameters: kind.parameters.iter().map(ParameterEntry::of).collect() }
+    }
+}
+
+impl ParameterEntry {
+    fn of(parameter: &Parameter) -> Self {
+        let (quantity, scale) = match parameter.quantity {
+            Quantity::Length => ("length", 1.0),
+            Quantity::Angle => ("angle", 1_f64.to_degrees()),
+            Quantity::Ratio => ("ratio", 1.0),
+        };
+        let default = parameter.default.map(|value| value * scale);
+        Self { key: parameter.key, symbol: parameter.symbol, quantity, default, optional: parameter.optional }
+    }
+}
+
+/// Acceleration at 49 even steps of a unit rise, scaled to ±1.
+fn thumbnail(law: &Law) -> Vec<f64> {
+    const STEPS: usize = 48;
+    let arguments = Arguments { parameters: law.default_parameters(), falling: false };
+    let Ok(pieces) = law.unit(arguments) else { return Vec::new() };
+    let at = |x: f64| pieces.iter().find(|piece| x < piece.until).or(pieces.last()).map_or(0.0, |piece| piece.curve.at(x).a);
+    let values: Vec<f64> = (0..=STEPS).map(|i| at(i as f64 / STEPS as f64)).collect();
+    let peak = values.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
+    // Rounding shows as noise where the acceleration is nothing at all.
+    if peak < 1e-9 { vec![0.0; STEPS + 1] } else { values.iter().map(|value| value / peak).collect() }
+}

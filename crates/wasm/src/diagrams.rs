@@ -1,0 +1,132 @@
+//! Diagrams on the page: plotters-canvas where they are looked at, SVG where they are printed.
+
+use crate::lab::{Current, Lab};
+use crate::object;
+use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour};
+use plotters::prelude::IntoDrawingArea;
+use plotters_canvas::CanvasBackend;
+use serde::{Deserialize, Serialize};
+use wasm_bindgen::prelude::*;
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
+
+/// How the page wants a diagram: `ChartStyle` of `web/types.d.ts`.
+#[derive(Deserialize)]
+struct PageStyle {
+    width: f64,
+    height: f64,
+    pixel_ratio: f64,
+    font: String,
+    font_size: f64,
+    ink: String,
+    muted: String,
+    grid: String,
+    background: String,
+    curve: String,
+    limit: String,
+    mark: String,
+    dash: Vec<f64>,
+    stroke: f64,
+    per_second: bool,
+    x_labels: bool,
+    decimal_comma: bool,
+}
+
+#[derive(Serialize)]
+struct PageArea {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+    x_min: f64,
+    x_max: f64,
+    y_min: f64,
+    y_max: f64,
+}
+
+#[wasm_bindgen]
+impl Lab {
+    /// Draws a diagram of the current cam over the whole of a canvas; says where the plot is.
+    #[wasm_bindgen(unchecked_return_type = "PlotArea")]
+    pub fn draw(
+        &self,
+        canvas: HtmlCanvasElement,
+        #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
+        #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: JsValue,
+    ) -> Result<JsValue, JsError> {
+        let (diagram, style) = prepare(self.current()?, diagram, style)?;
+        let context = context_of(&canvas)?;
+        let backend = CanvasBackend::with_canvas_object(canvas).ok_or_else(|| JsError::new("the canvas cannot be drawn on"))?;
+        let area = backend.into_drawing_area();
+        let scale = 1.0 / f64::from(SUBPIXELS);
+        context.save();
+        let drawn = context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0).and_then(|()| {
+            context.set_line_join("round");
+            let set_dash = |lengths: &[f64]| {
+                let lengths: js_sys::Array = lengths.iter().copied().map(JsValue::from_f64).collect();
+                // Refused only for lengths that are negative or not finite, which a style's are not.
+                let _ = context.set_line_dash(&lengths);
+            };
+            levalab_chart::draw(&area, &diagram, &style, set_dash).map_err(|error| JsValue::from_str(&error.to_string()))
+        });
+        context.restore();
+        match drawn {
+            Ok(area) => object(&PageArea::from(area)),
+            Err(error) => Err(JsError::new(&error.as_string().unwrap_or_default())),
+        }
+    }
+
+    /// The same diagram as SVG text.
+    pub fn svg(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
+        #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: JsValue,
+    ) -> Result<String, JsError> {
+        let (diagram, style) = prepare(self.current()?, diagram, style)?;
+        Ok(levalab_chart::svg(&diagram, &style).0)
+    }
+}
+
+fn prepare(current: &Current, diagram: &str, style: JsValue) -> Result<(Diagram, Style), JsError> {
+    let quantity = Quantity::by_name(diagram).ok_or_else(|| JsError::new("no such diagram"))?;
+    let style: PageStyle = serde_wasm_bindgen::from_value(style)?;
+    let timing = if style.per_second { Timing::PerSecond(current.design.omega()) } else { Timing::PerRadian };
+    Ok((Diagram::of(quantity, &current.cam, &current.analysis, timing), style.into()))
+}
+
+fn context_of(canvas: &HtmlCanvasElement) -> Result<CanvasRenderingContext2d, JsError> {
+    let context = canvas.get_context("2d").ok().flatten();
+    let context = context.and_then(|context| context.dyn_into().ok());
+    context.ok_or_else(|| JsError::new("the canvas has no 2d context"))
+}
+
+impl From<PageStyle> for Style {
+    fn from(page: PageStyle) -> Self {
+        let usual = Self::default();
+        let or = |text: &str, other| colour(text).unwrap_or(other);
+        Self {
+            width: page.width,
+            height: page.height,
+            pixel_ratio: page.pixel_ratio,
+            font: page.font,
+            font_size: page.font_size,
+            ink: or(&page.ink, usual.ink),
+            muted: or(&page.muted, usual.muted),
+            grid: or(&page.grid, usual.grid),
+            background: or(&page.background, usual.background),
+            curve: or(&page.curve, usual.curve),
+            limit: or(&page.limit, usual.limit),
+            mark: or(&page.mark, usual.mark),
+            dash: page.dash,
+            stroke: page.stroke,
+            x_labels: page.x_labels,
+            decimal_comma: page.decimal_comma,
+        }
+    }
+}
+
+impl From<PlotArea> for PageArea {
+    fn from(area: PlotArea) -> Self {
+        let PlotArea { left, top, width, height, x_min, x_max, y_min, y_max } = area;
+        Self { left, top, width, height, x_min, x_max, y_min, y_max }
+    }
+}

@@ -1,0 +1,101 @@
+//! The current cam: checked, analysed, and asked about until the next good one takes its place.
+
+use crate::report::{PageReport, cures};
+use crate::{Failure, instant, language, object, speak};
+use levalab_core::{Analysis, Cam, Column};
+use levalab_format::report::{Report, column};
+use levalab_format::{Design, DesignError};
+use serde::Serialize;
+use serde_json::Value;
+use wasm_bindgen::prelude::*;
+
+/// Most steps in which the page may ask for a turn.
+const MOST_SAMPLES: usize = 36_000;
+
+/// A good design with all that follows from it.
+pub struct Current {
+    pub design: Design,
+    pub cam: Cam,
+    pub analysis: Analysis,
+    pub report: Report,
+}
+
+/// The page's one object.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Lab {
+    current: Option<Current>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Opened {
+    Report(Box<PageReport>),
+    Error(Failure),
+}
+
+#[wasm_bindgen]
+impl Lab {
+    /// A laboratory without a cam.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Checks and analyses a design. A good one becomes the current one; otherwise the last good one stays.
+    #[wasm_bindgen(unchecked_return_type = "Opened")]
+    pub fn open(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Design")] design: JsValue,
+        samples: usize,
+        #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
+    ) -> Result<JsValue, JsError> {
+        let language = language(words);
+        let value: Value = serde_wasm_bindgen::from_value(design)?;
+        object(&match analyse(&value, samples) {
+            Ok(current) => {
+                let report = PageReport::of(&current, language);
+                self.current = Some(current);
+                Opened::Report(Box::new(report))
+            }
+            Err(error) => Opened::Error(speak(language, &error)),
+        })
+    }
+
+    /// The cures of each finding of the current cam, in their order. Slower than an analysis: for when the hand rests.
+    #[wasm_bindgen(unchecked_return_type = "Cure[][]")]
+    pub fn cures(&self, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
+        object(&self.current.as_ref().map_or_else(Vec::new, |current| cures(current, language(words))))
+    }
+
+    /// A column of the current cam, `samples` + 1 values; empty when it does not apply.
+    pub fn column(&self, #[wasm_bindgen(unchecked_param_type = "ColumnName")] name: &str) -> Vec<f64> {
+        let wanted = Column::ALL.into_iter().find(|column| column.name() == name);
+        let values = self.current.as_ref().zip(wanted).and_then(|(current, wanted)| {
+            column(&current.design, &current.analysis, wanted)
+        });
+        values.unwrap_or_default()
+    }
+
+    /// Exact values at θ (degrees, any turn), in the order of the `INSTANT` table.
+    pub fn at(&self, theta: f64, out: &mut [f64]) {
+        match &self.current {
+            Some(current) => instant::fill(&current.cam, current.design.omega(), theta, out),
+            None => out.fill(f64::NAN),
+        }
+    }
+}
+
+impl Lab {
+    /// The current cam, for the diagrams.
+    pub(crate) fn current(&self) -> Result<&Current, JsError> {
+        self.current.as_ref().ok_or_else(|| JsError::new("no cam has been opened"))
+    }
+}
+
+fn analyse(value: &Value, samples: usize) -> Result<Current, DesignError> {
+    let (design, cam) = Design::open(value)?;
+    let analysis = Analysis::of(&cam, samples.clamp(1, MOST_SAMPLES));
+    let report = Report::of(&design, &cam, &analysis);
+    Ok(Current { design, cam, analysis, report })
+}

@@ -1,0 +1,88 @@
+//! The browser edge of LevaLab: converts, calls, copies out. No mathematics and no words of its own.
+//!
+//! One call a change ([`Lab::open`]); columns are copied out as typed arrays, an instant into an array that the page keeps.
+//! The shapes that cross are those of `web/types.d.ts`.
+
+mod catalogue;
+mod diagrams;
+mod instant;
+mod lab;
+mod report;
+
+pub use lab::Lab;
+
+use levalab_format::{Design, DesignError, link};
+use levalab_words::Language;
+use serde::Serialize;
+use serde_json::Value;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+import type { Catalogue, ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read } from "../types.d.ts";
+"#;
+
+/// What is wrong, where, in the language of the page.
+#[derive(Serialize)]
+pub struct Failure {
+    path: String,
+    message: String,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Read {
+    Design(Value),
+    Error(Failure),
+}
+
+/// Everything that forms are built from.
+#[wasm_bindgen(unchecked_return_type = "Catalogue")]
+pub fn catalogue() -> Result<JsValue, JsError> {
+    object(&catalogue::Catalogue::new())
+}
+
+/// The design of a share link, given with or without its `#`.
+#[wasm_bindgen(unchecked_return_type = "Read")]
+pub fn open_link(
+    fragment: &str,
+    #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
+) -> Result<JsValue, JsError> {
+    let language = language(words);
+    object(&match link::decode(link::within(fragment)) {
+        Ok(design) => Read::Design(design.to_value()),
+        Err(error) => {
+            Read::Error(Failure { path: String::new(), message: levalab_words::link_error(language, &error) })
+        }
+    })
+}
+
+/// The design of a design file's text.
+#[wasm_bindgen(unchecked_return_type = "Read")]
+pub fn open_file(text: &str, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
+    object(&match Design::from_json(text) {
+        Ok(design) => Read::Design(design.to_value()),
+        Err(error) => Read::Error(speak(language(words), &error)),
+    })
+}
+
+/// The text of a design file.
+#[wasm_bindgen]
+pub fn save_file(#[wasm_bindgen(unchecked_param_type = "Design")] design: JsValue) -> Result<String, JsError> {
+    let value: Value = serde_wasm_bindgen::from_value(design)?;
+    let design = Design::from_value(&value).map_err(|error| JsError::new(&error.path.to_string()))?;
+    Ok(design.to_json())
+}
+
+fn speak(language: Language, error: &DesignError) -> Failure {
+    Failure { path: error.path.to_string(), message: levalab_words::design_error(language, error) }
+}
+
+fn language(code: &str) -> Language {
+    Language::from_tag(code).unwrap_or_default()
+}
+
+/// A plain JavaScript object.
+fn object<T: Serialize>(value: &T) -> Result<JsValue, JsError> {
+    Ok(value.serialize(&serde_wasm_bindgen::Serializer::json_compatible())?)
+}
