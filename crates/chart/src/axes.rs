@@ -1,0 +1,120 @@
+//! Behind the curve: ticks with their labels, borders of segments, limits.
+
+use crate::diagram::Diagram;
+use crate::frame::Frame;
+use crate::numerals::{Numerals, power_of_ten};
+use crate::sketch::{Dash, Sketch};
+use crate::style::Style;
+use crate::ticks::{Ticks, angle_step};
+use plotters::style::text_anchor::HPos;
+use plotters::style::{Color, RGBAColor};
+
+/// Least distance of ticks of the y axis, in heights of the type.
+const Y_GAP: f64 = 1.7;
+
+/// Least distance of labels of θ, in heights of the type.
+const X_GAP: f64 = 2.6;
+
+/// Between a label and the plot, in heights of the type.
+const LABEL_GAP: f64 = 0.4;
+
+/// From the plot to the middle of the labels of θ, in heights of the type.
+const X_LABEL_DROP: f64 = 1.2;
+
+/// Length of the ticks of θ, in heights of the type.
+const TICK: f64 = 0.35;
+
+/// Half the height of a label that must stay within the drawing, in heights of the type.
+const HALF_LABEL: f64 = 0.5;
+
+/// Opacity of what lies beyond a limit.
+const FORBIDDEN: f64 = 0.07;
+
+/// Opacity of limit lines.
+const LIMIT: f64 = 0.85;
+
+/// Ticks for the range of the frame.
+pub(crate) fn ticks(diagram: &Diagram, frame: &Frame) -> Ticks {
+    if diagram.extent.empty {
+        return Ticks::zero();
+    }
+    let (low, high) = frame.values();
+    let tall = f64::from(frame.bottom - frame.top) / frame.em;
+    Ticks::within(low, high, (high - low) * (Y_GAP / tall).min(1.0))
+}
+
+/// Draws what lies behind the curve.
+pub(crate) fn draw(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style, ticks: Ticks) {
+    forbidden(sketch, diagram, frame, style);
+    let (grid, muted) = (style.grid.to_rgba(), style.muted.to_rgba());
+    for &border in &diagram.borders {
+        vertical(sketch, frame, frame.x(border), grid);
+    }
+    for value in ticks.values().filter(|&value| value != 0.0) {
+        horizontal(sketch, frame, value, grid, Dash::Full);
+    }
+    if frame.holds(0.0) && !diagram.limits.contains(&0.0) {
+        horizontal(sketch, frame, 0.0, muted, Dash::Full);
+    }
+    for &limit in diagram.limits.iter().filter(|&&limit| frame.holds(limit)) {
+        horizontal(sketch, frame, limit, style.limit.mix(LIMIT), Dash::Limit);
+    }
+    label_values(sketch, frame, style, ticks);
+    if style.x_labels {
+        label_angles(sketch, frame, style);
+    }
+}
+
+fn forbidden(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
+    for &(from, to) in &diagram.forbidden {
+        let (top, bottom) = (frame.y_inside(to), frame.y_inside(from));
+        if top < bottom {
+            let colour = style.limit.mix(FORBIDDEN);
+            sketch.marks.push(crate::sketch::Mark::Band { from: (frame.left, top), to: (frame.right, bottom), colour });
+        }
+    }
+}
+
+fn vertical(sketch: &mut Sketch, frame: &Frame, x: i32, colour: RGBAColor) {
+    let x = frame.sharp(x);
+    sketch.line((x, frame.top), (x, frame.bottom), frame.thin(), colour, Dash::Full);
+}
+
+fn horizontal(sketch: &mut Sketch, frame: &Frame, value: f64, colour: RGBAColor, dash: Dash) {
+    let y = frame.sharp(frame.y(value));
+    sketch.line((frame.left, y), (frame.right, y), frame.thin(), colour, dash);
+}
+
+fn label_values(sketch: &mut Sketch, frame: &Frame, style: &Style, ticks: Ticks) {
+    let numerals = Numerals { decimal_comma: style.decimal_comma };
+    let (x, muted) = (frame.left - frame.ems(LABEL_GAP), style.muted.to_rgba());
+    let mut highest = frame.ems(HALF_LABEL);
+    if ticks.exponent != 0 {
+        sketch.text(power_of_ten(ticks.exponent), (x, highest), HPos::Right, muted);
+        highest += frame.ems(2.0 * HALF_LABEL);
+    }
+    let lowest = frame.height - frame.ems(HALF_LABEL);
+    for value in ticks.values() {
+        let y = frame.y(value);
+        if highest <= y && y <= lowest {
+            sketch.text(ticks.label(value, numerals), (x, y), HPos::Right, muted);
+        }
+    }
+}
+
+fn label_angles(sketch: &mut Sketch, frame: &Frame, style: &Style) {
+    let turn = 360;
+    let gap = f64::from(turn) * frame.em * X_GAP / f64::from(frame.right - frame.left);
+    let muted = style.muted.to_rgba();
+    let numerals = Numerals { decimal_comma: style.decimal_comma };
+    for angle in (0..=turn).step_by(angle_step(gap) as usize) {
+        let x = frame.x(f64::from(angle));
+        let tick = frame.sharp(x);
+        sketch.line((tick, frame.bottom), (tick, frame.bottom + frame.ems(TICK)), frame.thin(), muted, Dash::Full);
+        let mut text = numerals.fixed(f64::from(angle), 0);
+        if angle == turn {
+            text.push('°');
+        }
+        sketch.text(text, (x, frame.bottom + frame.ems(X_LABEL_DROP)), HPos::Center, muted);
+    }
+}

@@ -1,0 +1,135 @@
+//! A diagram as data: what there is to draw, in the units of its axes.
+
+use crate::gather::gather;
+use crate::radius;
+use crate::{Quantity, Timing};
+use levalab_core::{Analysis, Cam};
+use std::ops::Range;
+
+/// A quantity whose greatest value is this small beside the motion's own scale is zero, and what is left is rounding.
+const NOTHING: f64 = 1e-9;
+
+/// How far a limited quantity is shown, as a multiple of its limit: a little of what lies beyond is seen.
+const BEYOND: f64 = 1.12;
+
+/// A quantity over one turn, ready to be drawn at any size. θ in degrees, values in the units of the design.
+#[derive(Clone, Debug)]
+pub struct Diagram {
+    pub(crate) quantity: Quantity,
+    /// The points of all runs, one after another.
+    pub(crate) points: Vec<Point>,
+    pub(crate) runs: Vec<Run>,
+    pub(crate) jumps: Vec<Jump>,
+    /// Borders of the segments.
+    pub(crate) borders: Vec<f64>,
+    /// Values that should not be passed.
+    pub(crate) limits: Vec<f64>,
+    /// Ranges of values beyond the limits.
+    pub(crate) forbidden: Vec<(f64, f64)>,
+    /// Places worth a dot.
+    pub(crate) extremes: Vec<Point>,
+    pub(crate) extent: Extent,
+}
+
+/// θ and a value.
+pub(crate) type Point = (f64, f64);
+
+/// A stretch of the curve without a break.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Run {
+    /// Its points.
+    pub points: Range<usize>,
+    /// It comes in over the border of the plot.
+    pub comes_in: bool,
+    /// It goes out over the border of the plot.
+    pub goes_out: bool,
+}
+
+/// A jump of the quantity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Jump {
+    pub theta: f64,
+    pub before: f64,
+    pub after: f64,
+}
+
+/// The values that the plot must show.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Extent {
+    pub low: f64,
+    pub high: f64,
+    /// The curve goes on beyond: no margin is added, because the curve has been cut exactly here.
+    pub cut: bool,
+    /// There is nothing but zero, and the extent is arbitrary.
+    pub empty: bool,
+}
+
+impl Diagram {
+    /// Gathers a diagram. `analysis` must be that of `cam`; its rows are the points of the curve, and joints are added.
+    #[must_use]
+    pub fn of(quantity: Quantity, cam: &Cam, analysis: &Analysis, timing: Timing) -> Self {
+        let factor = quantity.factor(cam, timing);
+        let mut diagram = gather(quantity, cam, analysis, factor);
+        match quantity {
+            Quantity::Rho => radius::finish(&mut diagram, cam, analysis),
+            Quantity::PressureAngle => diagram.limit_angle(cam.follower.pressure_angle_limit().to_degrees()),
+            _ => diagram.measure(),
+        }
+        if quantity != Quantity::Rho {
+            let size = analysis.summary.s.greatest_size().0 * factor;
+            diagram.allow_for_nothing(size);
+            diagram.note_extremes(analysis, factor);
+        }
+        diagram
+    }
+
+    /// What it shows.
+    #[must_use]
+    pub fn quantity(&self) -> Quantity {
+        self.quantity
+    }
+
+    /// The extent of the data and zero.
+    fn measure(&mut self) {
+        let (low, high) =
+            self.points.iter().fold((0.0_f64, 0.0_f64), |(low, high), &(_, value)| (low.min(value), high.max(value)));
+        self.extent = Extent { low, high, cut: false, empty: false };
+    }
+
+    /// Shows ±`limit` whatever the data: how far it is from the limit is what matters.
+    fn limit_angle(&mut self, limit: f64) {
+        self.measure();
+        self.extent.low = self.extent.low.min(-limit * BEYOND);
+        self.extent.high = self.extent.high.max(limit * BEYOND);
+        self.limits = vec![-limit, limit];
+        self.forbidden = vec![(f64::NEG_INFINITY, -limit), (limit, f64::INFINITY)];
+    }
+
+    /// Gives a curve of zeros a sane extent, so that rounding is not blown up to fill the plot.
+    fn allow_for_nothing(&mut self, size: f64) {
+        let Extent { low, high, .. } = self.extent;
+        if high - low <= NOTHING * size || high == low {
+            let size = if size > 0.0 { size } else { 1.0 };
+            self.extent = Extent { low: -size, high: size, cut: false, empty: true };
+        }
+    }
+
+    fn note_extremes(&mut self, analysis: &Analysis, factor: f64) {
+        let summary = &analysis.summary;
+        let found = match self.quantity {
+            Quantity::S => summary.s,
+            Quantity::V => summary.v,
+            Quantity::A => summary.a,
+            Quantity::J => summary.j,
+            Quantity::PressureAngle => summary.pressure_angle,
+            Quantity::Rho => return,
+        };
+        let significant = NOTHING * (self.extent.high - self.extent.low);
+        if self.extent.empty || (found.max - found.min) * factor <= significant {
+            return;
+        }
+        let places = [(found.max_at, found.max), (found.min_at, found.min)];
+        let places = places.map(|(theta, value)| (theta.to_degrees(), value * factor));
+        self.extremes = places.into_iter().filter(|&(_, value)| value.abs() > significant).collect();
+    }
+}

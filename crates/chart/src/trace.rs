@@ -1,0 +1,96 @@
+//! The curve, its jumps, and where it leaves the plot.
+
+use crate::Quantity;
+use crate::diagram::{Diagram, Jump, Run};
+use crate::frame::Frame;
+use crate::sketch::{At, Dash, Mark, Sketch};
+use crate::style::Style;
+use plotters::style::{Color, RGBAColor};
+use std::ops::Range;
+
+/// Radius of the marks of a jump, in widths of the curve.
+const MARK: f64 = 1.7;
+
+/// Opacity of the step line of a jump; a jump of *j*, which is no fault at low speed, is told more quietly.
+const STEP: f64 = 0.9;
+const QUIET_STEP: f64 = 0.5;
+
+/// Length and half the width of the arrow where the curve leaves the plot, in widths of the curve.
+const ARROW: (f64, f64) = (4.0, 2.2);
+
+/// Draws the dashed lines from limit to limit.
+pub(crate) fn steps(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
+    for jump in &diagram.jumps {
+        let (from, to) = (frame.y_inside(jump.before), frame.y_inside(jump.after));
+        if from != to {
+            let x = frame.x(jump.theta);
+            sketch.line((x, from), (x, to), frame.thin(), step_colour(diagram, style), Dash::Step);
+        }
+    }
+}
+
+/// Draws the curve and returns where its points are.
+pub(crate) fn curve(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) -> Range<usize> {
+    let from = sketch.points.len();
+    let width = frame.css(style.stroke).max(SHARPEST);
+    let colour = style.curve.to_rgba();
+    for run in &diagram.runs {
+        let start = sketch.points.len();
+        for &point in &diagram.points[run.points.clone()] {
+            sketch.extend(start, frame.at(point));
+        }
+        let end = sketch.points.len();
+        if end - start > 1 {
+            sketch.marks.push(Mark::Line { points: start..end, width, colour, dash: Dash::Curve });
+        }
+    }
+    from..sketch.points.len()
+}
+
+/// One device pixel: no curve is thinner.
+const SHARPEST: i32 = crate::style::SUBPIXELS as i32;
+
+/// Draws open marks at limits from the left, filled ones at limits from the right, which are the values of the columns.
+pub(crate) fn marks(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
+    let quiet = diagram.quantity == Quantity::J;
+    let radius = frame.css(MARK * style.stroke * if quiet { 0.75 } else { 1.0 });
+    let (colour, background) = (if quiet { style.curve } else { style.mark }.to_rgba(), style.background.to_rgba());
+    let wraps = |jump: &Jump, theta: f64| (jump.theta - theta).abs() < EDGE_OF_TURN;
+    for jump in &diagram.jumps {
+        let x = frame.x(jump.theta);
+        if frame.holds(jump.before) && !wraps(jump, 0.0) {
+            let centre = (x, frame.y(jump.before));
+            sketch.marks.push(Mark::Dot { centre, radius, colour: background });
+            sketch.marks.push(Mark::Ring { centre, radius, width: frame.thin(), colour });
+        }
+        if frame.holds(jump.after) && !wraps(jump, 360.0) {
+            sketch.marks.push(Mark::Dot { centre: (x, frame.y(jump.after)), radius, colour });
+        }
+    }
+}
+
+/// Degrees: a jump this near to 0° or 360° is the one where the turn closes.
+const EDGE_OF_TURN: f64 = 1e-9;
+
+/// Draws an arrow wherever the curve goes on beyond the plot.
+pub(crate) fn arrows(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
+    let colour = style.curve.to_rgba();
+    for Run { points, comes_in, goes_out } in &diagram.runs {
+        let ends = [comes_in.then_some(points.start), goes_out.then(|| points.end - 1)];
+        for end in ends.into_iter().flatten() {
+            sketch.wedge(arrow(frame, style, frame.at(diagram.points[end])), colour);
+        }
+    }
+}
+
+fn arrow(frame: &Frame, style: &Style, (x, y): At) -> [At; 3] {
+    let (length, half) = (frame.css(ARROW.0 * style.stroke), frame.css(ARROW.1 * style.stroke));
+    let tip = if y - frame.top < frame.bottom - y { frame.top } else { frame.bottom };
+    let base = if tip == frame.top { tip + length } else { tip - length };
+    let x = x.clamp(frame.left + half, (frame.right - half).max(frame.left + half));
+    [(x, tip), (x - half, base), (x + half, base)]
+}
+
+fn step_colour(diagram: &Diagram, style: &Style) -> RGBAColor {
+    if diagram.quantity == Quantity::J { style.curve.mix(QUIET_STEP) } else { style.mark.mix(STEP) }
+}
