@@ -4,6 +4,7 @@
 #![allow(dead_code)]
 
 pub mod gallery;
+pub mod random;
 
 use levalab_core::{Analysis, Cam, Column, Finding, FindingKind, Follower, FollowerKind, Point, Program, Rotation, Segment};
 
