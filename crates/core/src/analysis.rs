@@ -182,7 +182,8 @@ fn radii(curvature: &Extremes, radius: f64) -> Extremes {
 }
 
 fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> Vec<Finding> {
-    let mut findings = jumps(joints);
+    let (mild, mut findings): (Vec<Finding>, Vec<Finding>) =
+        jumps(joints).into_iter().partition(|finding| finding.kind.severity() < Level::Unacceptable);
     findings.extend(steep(cam, samples, summary));
     findings.extend(below_base(cam, samples, summary));
     let cuts = irregular(cam, samples, summary);
@@ -193,7 +194,7 @@ fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> V
         findings.extend(crossing(samples));
         findings.extend(arm_cut(cam, samples));
     }
-    findings.sort_by_key(|finding| std::cmp::Reverse(finding.kind.severity()));
+    findings.extend(mild);
     findings
 }
 

@@ -44,7 +44,7 @@ pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
     let of = |finding: &Finding| match finding.kind {
         FindingKind::Jump(order) => law_cures(cam, sound, |trial| trial.lowest_jump.is_none_or(|jump| jump > order)),
         FindingKind::BelowBase => law_cures(cam, sound, |trial| !trial.below_base),
-        FindingKind::PressureAngle => smaller_first(size.map(Cure::BaseRadius), eccentricity(cam, finding)),
+        FindingKind::PressureAngle => size.map(Cure::BaseRadius).into_iter().chain(eccentricity(cam, finding)).collect(),
         FindingKind::Cusp
         | FindingKind::Undercut
         | FindingKind::ConcaveFlat
@@ -57,16 +57,8 @@ pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
     analysis.findings.iter().map(of).collect()
 }
 
-/// An eccentricity that passes by itself goes before a larger cam; one that only helps goes after.
-fn smaller_first(base_radius: Option<Cure>, eccentricity: Option<(Cure, bool)>) -> Vec<Cure> {
-    let mut cures: Vec<Cure> = base_radius.into_iter().collect();
-    if let Some((cure, passes)) = eccentricity {
-        cures.insert(if passes { 0 } else { cures.len() }, cure);
-    }
-    cures
-}
-
-fn eccentricity(cam: &Cam, finding: &Finding) -> Option<(Cure, bool)> {
+/// The balancing eccentricity, when it is worth having: the follower's axis moves, but the cam does not grow.
+fn eccentricity(cam: &Cam, finding: &Finding) -> Option<Cure> {
     let value = balanced_eccentricity(cam)?;
     let index = cam.follower.kind.index_of("eccentricity")?;
     let moved = Cam::new(cam.program.clone(), cam.follower.with_value(index, value).ok()?);
@@ -75,8 +67,7 @@ fn eccentricity(cam: &Cam, finding: &Finding) -> Option<(Cure, bool)> {
     let motion_or_angle =
         |f: &Finding| matches!(f.kind, FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::PressureAngle);
     let worthwhile = analysis.findings.iter().all(motion_or_angle) && pressure_angle < finding.value - WORTHWHILE;
-    let passes = pressure_angle <= cam.follower.pressure_angle_limit();
-    worthwhile.then_some((Cure::Eccentricity { value, pressure_angle }, passes))
+    worthwhile.then_some(Cure::Eccentricity { value, pressure_angle })
 }
 
 /// A program tried as a cure.
@@ -100,23 +91,24 @@ fn law_cures(cam: &Cam, sound: bool, cured: impl Fn(&Trial) -> bool) -> Vec<Cure
         }
     }
     trials.retain(&cured);
-    // Stable, so that among laws which come to the same curve the first of the list is named. Logarithms are compared in steps,
-    // because the same curve by two formulas differs in its last digits.
-    trials.sort_by_key(|trial| {
-        let gentleness = (trial.peak_acceleration.ln() * 1e6).round() as i64;
-        (std::cmp::Reverse(trial.lowest_jump.unwrap_or(u8::MAX)), gentleness)
-    });
     let mut kept: Vec<Trial> = Vec::new();
-    for trial in trials {
-        let alike = |other: &Trial| {
-            other.changes.len() == trial.changes.len() && other.lowest_jump == trial.lowest_jump
-        };
+    while kept.len() < MOST_CURES {
+        // The first of the best, so that among laws which come to the same curve the first of the list is named.
+        let Some(best) = (0..trials.len()).min_by_key(|&k| (rank(&trials[k]), k)) else { break };
+        let trial = trials.remove(best);
+        let alike = |other: &Trial| other.changes.len() == trial.changes.len() && other.lowest_jump == trial.lowest_jump;
         let fits = || !sound || geometry_passes(&Cam::new(trial.program.clone(), cam.follower));
-        if kept.len() < MOST_CURES && !kept.iter().any(alike) && fits() {
+        if !kept.iter().any(alike) && fits() {
             kept.push(trial);
         }
     }
     kept.into_iter().map(|trial| Cure::Laws { changes: trial.changes, remaining_jump: trial.lowest_jump }).collect()
+}
+
+/// Lower is better: the smoother, then the gentler. Peaks are compared in steps of their logarithm, because the same curve by two
+/// formulas differs in its last digits.
+fn rank(trial: &Trial) -> (u8, i64) {
+    (u8::MAX - trial.lowest_jump.unwrap_or(u8::MAX), (trial.peak_acceleration.ln() * 1e6).round() as i64)
 }
 
 /// Moving segments that touch a jump, contain one, or go below the base circle.

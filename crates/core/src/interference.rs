@@ -24,7 +24,7 @@ pub(crate) fn crossing(samples: &Samples) -> Option<Finding> {
         .enumerate()
         .map(|(i, pair)| (pair[0].re.min(pair[1].re), pair[0].re.max(pair[1].re), i))
         .collect();
-    sides.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sides.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
     let last = profile.len() - 2;
     for (k, &(_, right, i)) in sides.iter().enumerate() {
         for &(left, _, other) in &sides[k + 1..] {
