@@ -52,10 +52,10 @@ impl<T: Serialize> Serialize for InOrder<T> {
 }
 
 /// Verdict, summary and columns; what is not finite is null.
-pub fn json(design: &Design, samples: usize, language: Language) -> Result<String, Failure> {
-    let (cam, analysis) = analysis(design, samples, language)?;
-    let report = Report::of(design, &cam, &analysis);
-    let cures = levalab_format::cures(design, &cam, &analysis);
+pub fn json(design: &Design, cam: &Cam, samples: usize, language: Language) -> Result<String, Failure> {
+    let analysis = Analysis::of(cam, samples);
+    let report = Report::of(design, cam, &analysis);
+    let cures = levalab_format::cures(design, cam, &analysis);
     let findings = report.findings.iter().zip(&cures).map(|(finding, cures)| found(design, finding, cures, language));
     let verdict = Verdict {
         level: level_name(report.level),
@@ -68,9 +68,8 @@ pub fn json(design: &Design, samples: usize, language: Language) -> Result<Strin
 }
 
 /// The columns; what is not finite is `inf` or `-inf`.
-pub fn csv(design: &Design, samples: usize, language: Language) -> Result<String, Failure> {
-    let (_, analysis) = analysis(design, samples, language)?;
-    let columns = report::columns(design, &analysis);
+pub fn csv(design: &Design, cam: &Cam, samples: usize) -> String {
+    let columns = report::columns(design, &Analysis::of(cam, samples));
     let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
     let mut text = names.join(",") + "\n";
     for row in 0..=samples {
@@ -81,13 +80,7 @@ pub fn csv(design: &Design, samples: usize, language: Language) -> Result<String
         }
         text.push('\n');
     }
-    Ok(text)
-}
-
-fn analysis(design: &Design, samples: usize, language: Language) -> Result<(Cam, Analysis), Failure> {
-    let cam = design.cam().map_err(|error| Failure::design(&error, language))?;
-    let analysis = Analysis::of(&cam, samples);
-    Ok((cam, analysis))
+    text
 }
 
 fn found(design: &Design, finding: &DesignFinding, cures: &[DesignCure], language: Language) -> Found {

@@ -40,8 +40,7 @@ fn code_of(level: Level) -> u8 {
 
 /// The headline, then each finding with its cures.
 fn judge(file: &str, language: Language) -> Result<(Level, String), Failure> {
-    let design = input::design(file, language)?;
-    let cam = design.cam().map_err(|error| Failure::design(&error, language))?;
+    let (design, cam) = input::design_and_cam(file, language)?;
     // The verdict is exact whatever the steps are.
     let analysis = Analysis::of(&cam, 1);
     let report = Report::of(&design, &cam, &analysis);

@@ -21,46 +21,51 @@ const IO: u8 = 74;
 /// Why the program ends without a result.
 pub struct Failure {
     code: u8,
-    line: String,
+    /// A place in the input or the name of the input; empty when it is about neither.
+    place: String,
+    message: String,
 }
 
 impl Failure {
     /// Wrong use of the command.
-    pub fn usage(line: String) -> Self {
-        Self { code: USAGE, line }
+    pub fn usage(message: String) -> Self {
+        Self { code: USAGE, place: String::new(), message }
     }
 
-    /// Something wrong at a place of the input; the place is empty when it is the whole of it.
-    pub fn data(place: impl Display, message: impl Display) -> Self {
-        let place = place.to_string();
-        let line = if place.is_empty() { message.to_string() } else { format!("{place}: {message}") };
-        Self { code: DATA, line }
+    /// Something wrong at a place of the input.
+    pub fn data(place: impl Display, message: String) -> Self {
+        Self { code: DATA, place: place.to_string(), message }
     }
 
-    /// A design that is refused.
-    pub fn design(error: &DesignError, language: Language) -> Self {
-        Self::data(&error.path, levalab_words::design_error(language, error))
+    /// A design that is refused; a refusal of the whole of it names the file.
+    pub fn design(error: &DesignError, file: &str, language: Language) -> Self {
+        let path = error.path.to_string();
+        let place = if path.is_empty() { shown(file) } else { path };
+        Self::data(place, levalab_words::design_error(language, error))
     }
 
     /// A file that cannot be read.
-    pub fn no_input(name: &str, error: &io::Error, language: Language) -> Self {
+    pub fn no_input(file: &str, error: &io::Error, language: Language) -> Self {
         let problem = match error.kind() {
             io::ErrorKind::NotFound => FileProblem::Absent,
             io::ErrorKind::PermissionDenied => FileProblem::Forbidden,
             io::ErrorKind::IsADirectory => FileProblem::Folder,
             _ => FileProblem::Unreadable,
         };
-        Self { code: NO_INPUT, line: format!("{name}: {}", levalab_words::file(language, problem)) }
+        Self { code: NO_INPUT, place: shown(file), message: levalab_words::file(language, problem).to_owned() }
     }
 
     /// Standard output that cannot be written.
     pub fn no_output(language: Language) -> Self {
-        Self { code: IO, line: levalab_words::file(language, FileProblem::Unwritable).to_owned() }
+        let message = levalab_words::file(language, FileProblem::Unwritable).to_owned();
+        Self { code: IO, place: String::new(), message }
     }
 
-    /// The same, naming the file it is about, for a command that takes several.
+    /// The same with the file that it is about, for a command that takes several.
     pub fn of(self, file: &str) -> Self {
-        if self.code == DATA { Self { line: format!("{}: {}", shown(file), self.line), ..self } } else { self }
+        let file = shown(file);
+        let place = if self.place.is_empty() || self.place == file { file } else { format!("{file}: {}", self.place) };
+        Self { place, ..self }
     }
 
     /// Tells it, and gives the exit code.
@@ -71,8 +76,10 @@ impl Failure {
 
     /// Tells it on one line of standard error.
     pub fn tell(&self) {
+        let Self { place, message, .. } = self;
+        let colon = if place.is_empty() { "" } else { ": " };
         // When standard error is closed there is nobody to tell.
-        let _ = writeln!(io::stderr(), "levalab: {}", self.line);
+        let _ = writeln!(io::stderr(), "levalab: {place}{colon}{message}");
     }
 
     /// The exit code.

@@ -1,6 +1,7 @@
 //! Designs from files, standard input and links.
 
-use crate::failure::{Failure, shown};
+use crate::failure::Failure;
+use levalab_core::Cam;
 use levalab_format::limits::{MAX_FILE_BYTES, MAX_LINK_OPENED};
 use levalab_format::{Design, link};
 use levalab_words::Language;
@@ -15,9 +16,16 @@ const LONGEST_ADDRESS: usize = 8192;
 
 /// The design of a design file.
 pub fn design(name: &str, language: Language) -> Result<Design, Failure> {
+    design_and_cam(name, language).map(|(design, _)| design)
+}
+
+/// The design of a design file, and the cam that it is.
+pub fn design_and_cam(name: &str, language: Language) -> Result<(Design, Cam), Failure> {
     // One byte more than the most, so that a file that is too large is seen to be.
     let bytes = read(name, MAX_FILE_BYTES + 1, language)?;
-    Design::from_bytes(&bytes).map_err(|error| Failure::design(&error, language))
+    let design = Design::from_bytes(&bytes);
+    let both = design.and_then(|design| design.cam().map(|cam| (design, cam)));
+    both.map_err(|error| Failure::design(&error, name, language))
 }
 
 /// The design of a link.
@@ -40,6 +48,6 @@ fn read(name: &str, most: usize, language: Language) -> Result<Vec<u8>, Failure>
     } else {
         File::open(name).and_then(|file| file.take(limit).read_to_end(&mut bytes))
     };
-    read.map_err(|error| Failure::no_input(&shown(name), &error, language))?;
+    read.map_err(|error| Failure::no_input(name, &error, language))?;
     Ok(bytes)
 }

@@ -170,14 +170,14 @@ fn an_error_names_its_place_on_one_line() {
     for order in ["analyze", "check", "link"] {
         check_refusal(&with_input(&[order, "-"], design.to_json().as_bytes()), 65, "levalab: segments[2].beta: ");
     }
-    check_refusal(&with_input(&["check", "-"], b"{"), 65, "levalab: ");
+    check_refusal(&with_input(&["check", "-"], b"{"), 65, "levalab: -: The text is not JSON from line 1, column 1 on.");
     check_refusal(&with_input(&["check", "-"], &[0xff]), 65, "levalab: ");
     check_refusal(
         &with_input(&["check", "-"], br#"{"format": "levalab/1", "a\nb": 1}"#),
         65,
         r#"levalab: ["a\u{a}b"]: "#,
     );
-    check_refusal(&with_input(&["check", "-"], &vec![b' '; 2 << 20]), 65, "levalab: The file has ");
+    check_refusal(&with_input(&["check", "-"], &vec![b' '; 2 << 20]), 65, "levalab: -: The file has ");
     check_refusal(&levalab(&["open", "1.a.b"]), 65, "levalab: link: ");
     check_refusal(&levalab(&["check", "--lang", "es", "absent"]), 66, "levalab: absent: No existe ese archivo.");
     check_refusal(&levalab(&["check", env!("CARGO_MANIFEST_DIR")]), 66, "levalab: ");
