@@ -1,24 +1,23 @@
 //! Drawing with plotters.
 
 use crate::frame::{Frame, PlotArea};
-use crate::sketch::{Dash, Mark, Sketch};
+use crate::sketch::{At, Dash, Mark, Sketch};
 use crate::style::Style;
 use crate::{Diagram, axes, extremes, trace};
 use plotters::coord::Shift;
 use plotters::drawing::DrawingAreaErrorKind;
-use plotters::element::{Circle, PathElement, Polygon, Rectangle};
+use plotters::element::{Drawable, PointCollection};
 use plotters::prelude::{DrawingArea, DrawingBackend};
 use plotters::style::text_anchor::{Pos, VPos};
 use plotters::style::{Color, FontDesc, FontFamily, FontStyle, RGBAColor, ShapeStyle, TextStyle};
+use plotters_backend::DrawingErrorKind;
+use std::cell::RefCell;
 
 /// Dashes and gaps of limit lines and of steps, CSS pixels.
 const LIMIT_DASH: [f64; 2] = [6.0, 4.0];
 const STEP_DASH: [f64; 2] = [2.0, 2.0];
 
-/// The kind of error that a backend may give.
-type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
-
-/// Draws a diagram over the whole of `area`, whose surface is scaled by 1/[`SUBPIXELS`](crate::SUBPIXELS).
+/// Draws a diagram over the whole surface of `area`, which is scaled by 1/[`SUBPIXELS`](crate::SUBPIXELS).
 ///
 /// plotters knows no dashes, but surfaces do: `set_dash` is told the pattern of the strokes that follow, in units of the
 /// drawing, whenever it changes; an empty one is a full line, and so is the last.
@@ -29,23 +28,18 @@ pub fn draw<DB: DrawingBackend>(
     area: &DrawingArea<DB, Shift>,
     diagram: &Diagram,
     style: &Style,
-    mut set_dash: impl FnMut(&[f64]),
+    set_dash: impl FnMut(&[f64]),
 ) -> Result<PlotArea, DrawingAreaErrorKind<DB::ErrorType>> {
     let (frame, sketch) = lay_out(diagram, style);
-    let medium = Medium::CANVAS;
-    let text = medium.text(&frame, style);
-    let mut current = Dash::Full;
-    for mark in &sketch.marks {
-        let wanted = mark.dash();
-        if wanted != current {
-            set_dash(&pattern(wanted, &frame, style));
-            current = wanted;
-        }
-        paint(area, &sketch, mark, &text, medium.drop(&frame))?;
-    }
-    if current != Dash::Full {
-        set_dash(&[]);
-    }
+    let set_dash = RefCell::new(set_dash);
+    area.draw(&Drawing {
+        frame: &frame,
+        sketch: &sketch,
+        marks: &sketch.marks,
+        style,
+        medium: Medium::CANVAS,
+        set_dash,
+    })?;
     Ok(frame.area(style))
 }
 
@@ -83,12 +77,88 @@ impl Medium {
     /// plotters-svg divides the size by 1.24, and centres on small letters.
     pub const SVG: Self = Self { size: 1.24, drop: 0.1 };
 
-    pub fn text<'a>(self, frame: &Frame, style: &'a Style) -> TextStyle<'a> {
+    fn text<'a>(self, frame: &Frame, style: &'a Style) -> TextStyle<'a> {
         FontDesc::new(FontFamily::from(style.font.as_str()), frame.em * self.size, FontStyle::Normal).color(&style.ink)
     }
 
-    pub fn drop(self, frame: &Frame) -> i32 {
+    fn drop(self, frame: &Frame) -> i32 {
         frame.ems(self.drop)
+    }
+}
+
+/// Marks of a sketch as one element of plotters.
+///
+/// It brings its own points: those that plotters hands on have been held back within the pixels of the surface, of which
+/// there are fewer than units.
+pub(crate) struct Drawing<'a, F> {
+    pub frame: &'a Frame,
+    pub sketch: &'a Sketch,
+    pub marks: &'a [Mark],
+    pub style: &'a Style,
+    pub medium: Medium,
+    pub set_dash: RefCell<F>,
+}
+
+impl<F> PointCollection<'_, At> for &Drawing<'_, F> {
+    type Point = At;
+    type IntoIter = std::iter::Empty<At>;
+
+    fn point_iter(self) -> Self::IntoIter {
+        std::iter::empty()
+    }
+}
+
+impl<DB: DrawingBackend, F: FnMut(&[f64])> Drawable<DB> for Drawing<'_, F> {
+    fn draw<I: Iterator<Item = At>>(
+        &self,
+        _: I,
+        backend: &mut DB,
+        _: (u32, u32),
+    ) -> Result<(), DrawingErrorKind<DB::ErrorType>> {
+        let mut set_dash = self.set_dash.borrow_mut();
+        let mut text = self.medium.text(self.frame, self.style);
+        let mut current = Dash::Full;
+        for mark in self.marks {
+            let wanted = mark.dash();
+            if wanted != current {
+                set_dash(&pattern(wanted, self.frame, self.style));
+                current = wanted;
+            }
+            self.paint(backend, mark, &mut text)?;
+        }
+        if current != Dash::Full {
+            set_dash(&[]);
+        }
+        Ok(())
+    }
+}
+
+impl<F> Drawing<'_, F> {
+    fn paint<DB: DrawingBackend>(
+        &self,
+        backend: &mut DB,
+        mark: &Mark,
+        text: &mut TextStyle,
+    ) -> Result<(), DrawingErrorKind<DB::ErrorType>> {
+        let points = &self.sketch.points;
+        match *mark {
+            Mark::Band { from, to, colour } => backend.draw_rect(from, to, &colour, true),
+            Mark::Line { points: ref range, width, colour, .. } => {
+                backend.draw_path(points[range.clone()].iter().copied(), &stroke(colour, width))
+            }
+            Mark::Wedge { points: ref range, colour } => {
+                backend.fill_polygon(points[range.clone()].iter().copied(), &colour)
+            }
+            Mark::Dot { centre, radius, colour } => backend.draw_circle(centre, radius.unsigned_abs(), &colour, true),
+            Mark::Ring { centre, radius, width, colour } => {
+                backend.draw_circle(centre, radius.unsigned_abs(), &stroke(colour, width), false)
+            }
+            Mark::Text { text: ref label, at: (x, y), anchor, colour } => {
+                text.color = colour.to_backend_color();
+                text.pos = Pos::new(anchor, VPos::Center);
+                backend.draw_text(label, text, (x, y + self.medium.drop(self.frame)))
+            }
+        }
     }
 }
 
@@ -110,30 +180,6 @@ pub(crate) fn pattern(dash: Dash, frame: &Frame, style: &Style) -> Vec<f64> {
         Dash::Step => &STEP_DASH,
     };
     lengths.iter().map(|length| length * frame.pixel).collect()
-}
-
-/// Draws one mark.
-pub(crate) fn paint<DB: DrawingBackend>(
-    area: &DrawingArea<DB, Shift>,
-    sketch: &Sketch,
-    mark: &Mark,
-    text: &TextStyle,
-    drop: i32,
-) -> Drawn<DB> {
-    match *mark {
-        Mark::Band { from, to, colour } => area.draw(&Rectangle::new([from, to], colour.filled())),
-        Mark::Line { ref points, width, colour, .. } => {
-            area.draw(&PathElement::new(&sketch.points[points.clone()], stroke(colour, width)))
-        }
-        Mark::Wedge { ref points, colour } => area.draw(&Polygon::new(&sketch.points[points.clone()], colour)),
-        Mark::Dot { centre, radius, colour } => area.draw(&Circle::new(centre, radius, colour.filled())),
-        Mark::Ring { centre, radius, width, colour } => area.draw(&Circle::new(centre, radius, stroke(colour, width))),
-        Mark::Text { text: ref label, at: (x, y), anchor, colour } => {
-            let style =
-                TextStyle { color: colour.to_backend_color(), pos: Pos::new(anchor, VPos::Center), ..text.clone() };
-            area.draw_text(label, &style, (x, y + drop))
-        }
-    }
 }
 
 fn stroke(colour: RGBAColor, width: i32) -> ShapeStyle {

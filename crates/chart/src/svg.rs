@@ -1,11 +1,12 @@
 //! The same drawing as SVG text.
 
 use crate::frame::{Frame, PlotArea};
-use crate::paint::{Medium, lay_out, paint, pattern};
+use crate::paint::{Drawing, Medium, lay_out, pattern};
 use crate::sketch::{Dash, Mark, Sketch};
 use crate::{Diagram, Style};
 use plotters::prelude::IntoDrawingArea;
 use plotters_svg::SVGBackend;
+use std::cell::RefCell;
 use std::fmt::Write;
 
 /// What plotters-svg closes a drawing with.
@@ -45,10 +46,8 @@ fn body(frame: &Frame, sketch: &Sketch, marks: &[Mark], style: &Style) -> String
     let mut text = String::new();
     let area = SVGBackend::with_string(&mut text, (frame.width.unsigned_abs(), frame.height.unsigned_abs()))
         .into_drawing_area();
-    let setting = Medium::SVG.text(frame, style);
-    let lower = Medium::SVG.drop(frame);
-    let drawn =
-        marks.iter().try_for_each(|mark| paint(&area, sketch, mark, &setting, lower)).and_then(|()| area.present());
+    let drawing = Drawing { frame, sketch, marks, style, medium: Medium::SVG, set_dash: RefCell::new(|_: &[f64]| {}) };
+    let drawn = area.draw(&drawing).and_then(|()| area.present());
     drop(area);
     // Only a file can fail, and this is text in memory.
     debug_assert!(drawn.is_ok(), "text in memory takes everything");

@@ -209,13 +209,15 @@ struct Record {
     outside: usize,
 }
 
-const SIZE: (u32, u32) = (420 * 2 * SUBPIXELS, 110 * 2 * SUBPIXELS);
+/// Device pixels of the surface, which has [`SUBPIXELS`] times as many units.
+const SIZE: (u32, u32) = (420 * 2, 110 * 2);
 
 type Done = Result<(), DrawingErrorKind<std::io::Error>>;
 
 impl Recorder {
     fn note(&self, (x, y): BackendCoord) {
-        let inside = (0..=SIZE.0 as i32).contains(&x) && (0..=SIZE.1 as i32).contains(&y);
+        let within = |place: i32, most: u32| u32::try_from(place).is_ok_and(|place| place <= most * SUBPIXELS);
+        let inside = within(x, SIZE.0) && within(y, SIZE.1);
         self.0.borrow_mut().outside += usize::from(!inside);
     }
 }
@@ -286,6 +288,8 @@ fn any_backend_draws_the_same_and_is_told_the_dashes() {
     assert_eq!(record.outside, 0, "all within the drawing");
     assert_eq!(record.dash, [], "full lines again at the end");
     let dashed: Vec<_> = record.paths.iter().filter(|(dash, _)| dash == &[64.0, 40.0]).collect();
+    let furthest = dashed.iter().flat_map(|(_, path)| path).map(|at| at.0).max().unwrap_or(0);
+    assert_eq!(f64::from(furthest), (area.left + area.width) * 2.0 * UNITS, "the curve goes on to 360°");
     assert_eq!(dashed.len(), 3, "the curve breaks at 90° and 270°, where the acceleration jumps, and nowhere else");
     let (text, same) = svg(&diagram, &style);
     assert_eq!(area, same, "one layout at any pixel ratio");
