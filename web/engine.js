@@ -16,10 +16,9 @@ const RESTART_WINDOW = 10_000;
  * @typedef {object} Module
  * @property {(options: { module_or_path: WebAssembly.Module }) => Promise<unknown>} default
  * @property {new () => Lab} Lab
- * @property {() => Catalogue} catalogue
+ * @property {() => Omit<Catalogue, "examples"> & { examples: { id: string, file: string }[] }} catalogue
  * @property {(fragment: string, language: Language) => Read} open_link
- * @property {(text: string, language: Language) => Read} open_file
- * @property {(design: Design) => string} save_file
+ * @property {(design: unknown, language: Language) => Read} read_design
  */
 
 /** @returns {Promise<WebAssembly.Module>} */
@@ -104,7 +103,11 @@ export async function startEngine({ language, restarted }) {
   return {
     lab: () => lab,
     failed,
-    catalogue: () => module.catalogue(),
+    /** @returns {Catalogue} */
+    catalogue() {
+      const { examples, ...lists } = module.catalogue();
+      return { ...lists, examples: examples.map(({ id, file }) => ({ id, design: JSON.parse(file) })) };
+    },
 
     /**
      * @param {Design} design
@@ -120,11 +123,30 @@ export async function startEngine({ language, restarted }) {
     /** @param {string} fragment */
     openLink: (fragment) => guarded(() => module.open_link(fragment, language()), unread(fragment)),
 
-    /** @param {string} text */
-    openFile: (text) => guarded(() => module.open_file(text, language()), unread("")),
+    /**
+     * @param {string} text
+     * @param {string} notJson  what to say when the text is not JSON at all
+     * @returns {Read}
+     */
+    openFile(text, notJson) {
+      /** @type {unknown} */
+      let design;
+      try {
+        design = JSON.parse(text);
+      } catch {
+        return unread(notJson);
+      }
+      return guarded(() => module.read_design(design, language()), unread(""));
+    },
 
-    /** @param {Design} design */
-    saveFile: (design) => guarded(() => module.save_file(design), JSON.stringify(design, null, 2)),
+    /**
+     * The text of a design file.
+     * @param {Design} design
+     */
+    saveFile(design) {
+      const read = guarded(() => module.read_design(design, language()), unread(""));
+      return `${JSON.stringify(read.design ?? design, null, 2)}\n`;
+    },
   };
 }
 

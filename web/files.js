@@ -12,7 +12,7 @@ const LARGEST = 1_000_000;
 /**
  * @param {ShellContext} context
  * @param {Texts} texts
- * @param {{ openFile: (text: string) => Read, saveFile: (design: Design) => string }} engine
+ * @param {{ openFile: (text: string, notJson: string) => Read, saveFile: (design: Design) => string }} engine
  */
 export function createFiles({ store, t, banner }, texts, { openFile, saveFile }) {
   const chooser = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: "-1", "aria-hidden": "true" });
@@ -27,7 +27,7 @@ export function createFiles({ store, t, banner }, texts, { openFile, saveFile })
     chooser.value = "";
     if (!file) return;
     const text = file.size > LARGEST ? "" : await file.text();
-    const read = openFile(text);
+    const read = openFile(text, t("banner.file.json"));
     if (read.error) return banner.show("banner.file", { reason: read.error.message });
     banner.hide();
     store.replace(read.design, t("edit.file"));

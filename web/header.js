@@ -21,7 +21,7 @@ const LANGUAGES = ["es", "en"];
 /**
  * @param {HTMLElement} root
  * @param {ShellContext} context
- * @param {{ openFile: (text: string) => Read, saveFile: (design: import("./types.d.ts").Design) => string }} engine
+ * @param {{ openFile: (text: string, notJson: string) => Read, saveFile: (design: import("./types.d.ts").Design) => string }} engine
  */
 export function mount(root, context, engine) {
   const { store, t } = context;

@@ -65,7 +65,7 @@ export function address(link) {
 
 /**
  * What the page opens with: the link, else what the user had, else a good example. A damaged link is told.
- * @param {{ openLink: (fragment: string) => Read, openFile: (text: string) => Read }} engine
+ * @param {{ openLink: (fragment: string) => Read, openFile: (text: string, notJson: string) => Read }} engine
  * @param {Design} example
  * @returns {{ design: Design, damaged?: { reason: string, raw: string } }}
  */
@@ -74,7 +74,7 @@ export function firstDesign(engine, example) {
   const read = raw === "" ? null : engine.openLink(raw);
   if (read?.design) return { design: read.design };
   const kept = recall("design");
-  const had = kept === null ? null : engine.openFile(JSON.stringify(kept));
+  const had = kept === null ? null : engine.openFile(JSON.stringify(kept), "");
   const design = had?.design ?? example;
   return read?.error ? { design, damaged: { reason: read.error.message, raw } } : { design };
 }

@@ -13,6 +13,7 @@ export const en = {
   "banner.broken": "The calculation keeps failing. Your design is safe in the address bar: copy the link and load the page again.",
   "banner.engine": "LevaLab could not start: this browser did not load WebAssembly. ({reason})",
   "banner.file": "The file was not opened: {reason}",
+  "banner.file.json": "it is not a design file, which is JSON text such as the one that Save writes.",
 
   "header.title": "Title of the design",
   "header.examples": "Examples",

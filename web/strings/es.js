@@ -13,6 +13,7 @@ export const es = {
   "banner.broken": "El cálculo sigue fallando. Su diseño está a salvo en la barra de direcciones: copie el enlace y vuelva a cargar la página.",
   "banner.engine": "LevaLab no ha podido arrancar: este navegador no ha cargado WebAssembly. ({reason})",
   "banner.file": "No se ha abierto el archivo: {reason}",
+  "banner.file.json": "no es un archivo de diseño, que es texto JSON como el que escribe Guardar.",
 
   "header.title": "Título del diseño",
   "header.examples": "Ejemplos",

@@ -4,7 +4,6 @@ use levalab_core::law::{Arguments, Group, LAWS, Law};
 use levalab_core::{FOLLOWERS, FollowerKind, MAX_SEGMENTS, Parameter, Quantity};
 use levalab_format::{EXAMPLES, LengthUnit, SpeedUnit, limits, motion_and_contact};
 use serde::Serialize;
-use serde_json::Value;
 
 /// Everything a form can offer.
 #[derive(Serialize)]
@@ -43,10 +42,11 @@ struct ParameterEntry {
     optional: bool,
 }
 
+/// A design file as text: the page reads it with its own JSON, and this module carries none.
 #[derive(Serialize)]
 struct Example {
     id: &'static str,
-    design: Value,
+    file: &'static str,
 }
 
 #[derive(Serialize)]
@@ -64,10 +64,7 @@ impl Catalogue {
             followers: FOLLOWERS.iter().map(|kind| FollowerEntry::of(kind)).collect(),
             length_units: LengthUnit::ALL.map(LengthUnit::symbol).into(),
             speed_units: SpeedUnit::ALL.map(SpeedUnit::symbol).into(),
-            examples: EXAMPLES
-                .iter()
-                .filter_map(|&(id, json)| Some(Example { id, design: serde_json::from_str(json).ok()? }))
-                .collect(),
+            examples: EXAMPLES.iter().map(|&(id, file)| Example { id, file }).collect(),
             limits: Limits { segments: MAX_SEGMENTS, title: limits::MAX_TITLE, link: limits::MAX_LINK_MADE },
         }
     }

@@ -1,7 +1,8 @@
 //! The browser edge of LevaLab: converts, calls, copies out. No mathematics and no words of its own.
 //!
 //! One call a change ([`Lab::open`]); columns are copied out as typed arrays, an instant into an array that the page keeps.
-//! The shapes that cross are those of `web/types.d.ts`.
+//! The shapes that cross are those of `web/types.d.ts`. Text that is JSON stays outside: the browser has a parser of its own, and the
+//! tables of a second one would be a fifth of this module.
 
 mod catalogue;
 mod diagrams;
@@ -57,21 +58,17 @@ pub fn open_link(
     })
 }
 
-/// The design of a design file's text.
+/// A design from the object that a design file holds: checked, and in its canonical form.
 #[wasm_bindgen(unchecked_return_type = "Read")]
-pub fn open_file(text: &str, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
-    object(&match Design::from_json(text) {
+pub fn read_design(
+    design: JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
+) -> Result<JsValue, JsError> {
+    let value: Value = serde_wasm_bindgen::from_value(design)?;
+    object(&match Design::from_value(&value) {
         Ok(design) => Read::Design(design.to_value()),
         Err(error) => Read::Error(speak(language(words), &error)),
     })
-}
-
-/// The text of a design file.
-#[wasm_bindgen]
-pub fn save_file(#[wasm_bindgen(unchecked_param_type = "Design")] design: JsValue) -> Result<String, JsError> {
-    let value: Value = serde_wasm_bindgen::from_value(design)?;
-    let design = Design::from_value(&value).map_err(|error| JsError::new(&error.path.to_string()))?;
-    Ok(design.to_json())
 }
 
 fn speak(language: Language, error: &DesignError) -> Failure {
