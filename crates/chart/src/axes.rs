@@ -3,7 +3,8 @@
 use crate::diagram::Diagram;
 use crate::frame::Frame;
 use crate::numerals::{Numerals, power_of_ten};
-use crate::sketch::{Dash, Sketch};
+use crate::sketch::{Dash, Mark, Sketch};
+use crate::space::{Room, Space};
 use crate::style::Style;
 use crate::ticks::{Ticks, angle_step};
 use plotters::style::text_anchor::HPos;
@@ -21,6 +22,9 @@ const LABEL_GAP: f64 = 0.4;
 /// From the plot to the middle of the labels of θ, in heights of the type.
 const X_LABEL_DROP: f64 = 1.2;
 
+/// Between the top of the plot and the power of ten in its corner, in heights of the type.
+const CORNER: f64 = 0.1;
+
 /// Length of the ticks of θ, in heights of the type.
 const TICK: f64 = 0.35;
 
@@ -29,6 +33,9 @@ const HALF_LABEL: f64 = 0.5;
 
 /// Opacity of what lies beyond a limit.
 const FORBIDDEN: f64 = 0.07;
+
+/// Opacity of the zero line.
+const ZERO: f64 = 0.75;
 
 /// Opacity of limit lines.
 const LIMIT: f64 = 0.85;
@@ -46,7 +53,7 @@ pub(crate) fn ticks(diagram: &Diagram, frame: &Frame) -> Ticks {
 /// Draws what lies behind the curve.
 pub(crate) fn draw(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style, ticks: Ticks) {
     forbidden(sketch, diagram, frame, style);
-    let (grid, muted) = (style.grid.to_rgba(), style.muted.to_rgba());
+    let grid = style.grid.to_rgba();
     for &border in &diagram.borders {
         vertical(sketch, frame, frame.x(border), grid);
     }
@@ -54,12 +61,11 @@ pub(crate) fn draw(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style:
         horizontal(sketch, frame, value, grid, Dash::Full);
     }
     if frame.holds(0.0) && !diagram.limits.contains(&0.0) {
-        horizontal(sketch, frame, 0.0, muted, Dash::Full);
+        horizontal(sketch, frame, 0.0, style.muted.mix(ZERO), Dash::Full);
     }
     for &limit in diagram.limits.iter().filter(|&&limit| frame.holds(limit)) {
         horizontal(sketch, frame, limit, style.limit.mix(LIMIT), Dash::Limit);
     }
-    label_values(sketch, frame, style, ticks);
     if style.x_labels {
         label_angles(sketch, frame, style);
     }
@@ -70,7 +76,7 @@ fn forbidden(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Styl
         let (top, bottom) = (frame.y_inside(to), frame.y_inside(from));
         if top < bottom {
             let colour = style.limit.mix(FORBIDDEN);
-            sketch.marks.push(crate::sketch::Mark::Band { from: (frame.left, top), to: (frame.right, bottom), colour });
+            sketch.marks.push(Mark::Band { from: (frame.left, top), to: (frame.right, bottom), colour });
         }
     }
 }
@@ -85,13 +91,28 @@ fn horizontal(sketch: &mut Sketch, frame: &Frame, value: f64, colour: RGBAColor,
     sketch.line((frame.left, y), (frame.right, y), frame.thin(), colour, dash);
 }
 
-fn label_values(sketch: &mut Sketch, frame: &Frame, style: &Style, ticks: Ticks) {
+/// Labels the ticks of the y axis. The power of ten goes into the plot where it covers nothing, or else above the labels.
+pub(crate) fn label_values(sketch: &mut Sketch, frame: &Frame, style: &Style, ticks: Ticks, space: &mut Space) {
     let numerals = Numerals { decimal_comma: style.decimal_comma };
     let (x, muted) = (frame.left - frame.ems(LABEL_GAP), style.muted.to_rgba());
     let mut highest = frame.ems(HALF_LABEL);
     if ticks.exponent != 0 {
-        sketch.text(power_of_ten(ticks.exponent), (x, highest), HPos::Right, muted);
-        highest += frame.ems(2.0 * HALF_LABEL);
+        let text = power_of_ten(ticks.exponent);
+        let (width, height) = space.size(&text);
+        let inset = frame.ems(LABEL_GAP);
+        let corners = [(HPos::Left, frame.left + inset), (HPos::Right, frame.right - inset)];
+        let room = |(anchor, x): (HPos, i32)| {
+            let left = if matches!(anchor, HPos::Left) { x } else { x - width };
+            Room::new(left, frame.top + frame.ems(CORNER), (width, height))
+        };
+        if let Some(corner) = corners.into_iter().find(|&corner| space.is_free(room(corner), &sketch.points)) {
+            let room = room(corner);
+            sketch.text(text, (corner.1, (room.top + room.bottom) / 2), corner.0, muted);
+            space.take(room);
+        } else {
+            sketch.text(text, (x, highest), HPos::Right, muted);
+            highest += frame.ems(2.0 * HALF_LABEL);
+        }
     }
     let lowest = frame.height - frame.ems(HALF_LABEL);
     for value in ticks.values() {

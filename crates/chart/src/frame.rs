@@ -67,6 +67,8 @@ pub(crate) struct Frame {
     high: f64,
     /// Thin lines lie on multiples of this.
     grain: f64,
+    /// How much wider than usual they are.
+    weight: f64,
 }
 
 impl Frame {
@@ -93,6 +95,7 @@ impl Frame {
             em: em * ratio * units,
             low,
             high,
+            weight: style.weight(),
             grain: if ratio.fract() == 0.0 { ratio * units } else { units },
         }
     }
@@ -124,10 +127,10 @@ impl Frame {
         self.low <= value && value <= self.high
     }
 
-    /// Width of a thin line: a CSS pixel, in whole device pixels.
+    /// Width of a thin line: a CSS pixel or a little more, in whole device pixels.
     pub fn thin(&self) -> i32 {
         let units = f64::from(SUBPIXELS);
-        ((self.pixel / units).round().max(1.0) * units) as i32
+        ((self.pixel * self.weight / units).round().max(1.0) * units) as i32
     }
 
     /// The middle of a thin line near `place` that covers whole pixels and so is sharp.

@@ -37,8 +37,10 @@ mod paint;
 mod quantity;
 mod radius;
 mod sketch;
+mod space;
 mod style;
 mod svg;
+mod thin;
 mod ticks;
 mod trace;
 

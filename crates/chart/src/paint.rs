@@ -2,6 +2,7 @@
 
 use crate::frame::{Frame, PlotArea};
 use crate::sketch::{At, Dash, Mark, Sketch};
+use crate::space::Space;
 use crate::style::Style;
 use crate::{Diagram, axes, extremes, trace};
 use plotters::coord::Shift;
@@ -53,10 +54,12 @@ pub(crate) fn lay_out(diagram: &Diagram, style: &Style) -> (Frame, Sketch) {
     let ticks = axes::ticks(diagram, &frame);
     axes::draw(&mut sketch, diagram, &frame, style, ticks);
     trace::steps(&mut sketch, diagram, &frame, style);
-    let curve = trace::curve(&mut sketch, diagram, &frame, style);
+    let runs = trace::curve(&mut sketch, diagram, &frame, style);
     trace::arrows(&mut sketch, diagram, &frame, style);
     trace::marks(&mut sketch, diagram, &frame, style);
-    extremes::draw(&mut sketch, diagram, &frame, style, ticks, curve);
+    let mut space = Space::new(diagram, &frame, style, &runs);
+    axes::label_values(&mut sketch, &frame, style, ticks, &mut space);
+    extremes::draw(&mut sketch, diagram, &frame, style, ticks, &mut space);
     (frame, sketch)
 }
 
@@ -179,7 +182,7 @@ pub(crate) fn pattern(dash: Dash, frame: &Frame, style: &Style) -> Vec<f64> {
         Dash::Limit => &LIMIT_DASH,
         Dash::Step => &STEP_DASH,
     };
-    lengths.iter().map(|length| length * frame.pixel).collect()
+    lengths.iter().map(|length| length * frame.pixel * style.weight()).collect()
 }
 
 fn stroke(colour: RGBAColor, width: i32) -> ShapeStyle {

@@ -57,19 +57,6 @@ impl Sketch {
         self.marks.push(Mark::Wedge { points: start..start + 3, colour });
     }
 
-    /// Adds a point to a path begun at `start`, leaving out those in the middle of a level stretch.
-    pub fn extend(&mut self, start: usize, point: At) {
-        if let [.., before, last] = self.points[start..]
-            && before.1 == last.1
-            && last.1 == point.1
-        {
-            self.points.pop();
-        }
-        if self.points.len() == start || self.points.last() != Some(&point) {
-            self.points.push(point);
-        }
-    }
-
     pub fn text(&mut self, text: String, at: At, anchor: HPos, colour: RGBAColor) {
         self.marks.push(Mark::Text { text, at, anchor, colour });
     }

@@ -34,7 +34,7 @@ pub struct Style {
     pub limit: RGBColor,
     /// Jumps.
     pub mark: RGBColor,
-    /// Dashes and gaps of the curve; empty for a full line.
+    /// Dashes and gaps of the curve, empty for a full line; longer when [`stroke`](Self::stroke) is wider than 1.5.
     pub dash: Vec<f64>,
     /// Width of the curve.
     pub stroke: f64,
@@ -47,6 +47,14 @@ pub struct Style {
 impl Style {
     /// Height of the labels of θ, in heights of the type. They take `(FOOT * font_size).round()` CSS pixels.
     pub const FOOT: f64 = 1.9;
+
+    /// The curve's width for which dashes and thin lines are given.
+    const USUAL_STROKE: f64 = 1.5;
+
+    /// How much longer dashes and how much wider thin lines are than usual, when the curve is drawn for a projector.
+    pub(crate) fn weight(&self) -> f64 {
+        (self.stroke / Self::USUAL_STROKE).max(1.0)
+    }
 }
 
 /// Dark on white, 420 × 140.

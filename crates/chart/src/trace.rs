@@ -5,6 +5,7 @@ use crate::diagram::{Diagram, Jump, Run};
 use crate::frame::Frame;
 use crate::sketch::{At, Dash, Mark, Sketch};
 use crate::style::Style;
+use crate::thin::thin;
 use plotters::style::{Color, RGBAColor};
 use std::ops::Range;
 
@@ -29,22 +30,21 @@ pub(crate) fn steps(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style
     }
 }
 
-/// Draws the curve and returns where its points are.
-pub(crate) fn curve(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) -> Range<usize> {
-    let from = sketch.points.len();
+/// Draws the curve and returns where the points of its runs are.
+pub(crate) fn curve(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) -> Vec<Range<usize>> {
     let width = frame.css(style.stroke).max(SHARPEST);
     let colour = style.curve.to_rgba();
-    for run in &diagram.runs {
+    let run = |run: &Run| {
         let start = sketch.points.len();
-        for &point in &diagram.points[run.points.clone()] {
-            sketch.extend(start, frame.at(point));
+        let values = &diagram.points[run.points.clone()];
+        thin(values.iter().map(|&point| frame.at(point)), &mut sketch.points);
+        let points = start..sketch.points.len();
+        if points.len() > 1 {
+            sketch.marks.push(Mark::Line { points: points.clone(), width, colour, dash: Dash::Curve });
         }
-        let end = sketch.points.len();
-        if end - start > 1 {
-            sketch.marks.push(Mark::Line { points: start..end, width, colour, dash: Dash::Curve });
-        }
-    }
-    from..sketch.points.len()
+        points
+    };
+    diagram.runs.iter().map(run).collect()
 }
 
 /// One device pixel: no curve is thinner.
