@@ -107,7 +107,7 @@ export function mount(root, context) {
     const foot = Math.round(palette.chartSize * FOOT);
     const each = Math.floor((height - foot) / shown.length);
     const { element, canvas } = figures[/** @type {Diagram} */ (shown[0])];
-    // On a phone the caption stands above its diagram instead of beside it.
+    // The caption stands above.
     const head = canvas.offsetTop - element.offsetTop;
     const [left, wide] = [canvas.offsetLeft, canvas.clientWidth];
     slots = shown.map((diagram, i) => ({ diagram, left, top: i * each + head, wide, tall: each - head + (i === shown.length - 1 ? foot : 0), labels: i === shown.length - 1 }));

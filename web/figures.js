@@ -5,10 +5,6 @@
  */
 import { h } from "./dom.js";
 
-/** Largest pressure angle that is tolerated, in degrees, by the follower's motion. */
-/** @type {Record<string, number>} */
-const PRESSURE_ANGLE_LIMIT = { translating: 30, oscillating: 35 };
-
 /** @param {ShellContext} context */
 export function createFigures({ store, t, format }) {
   const root = h("div", { class: "figures", role: "group" });
@@ -19,13 +15,12 @@ export function createFigures({ store, t, format }) {
   const angle = (value) => format.angle(value);
 
   function entries() {
-    const { summary, least_convex, mechanism, units } = store.state.report;
+    const { summary, least_convex, pressure_angle_limit, mechanism, units } = store.state.report;
     const { pressure_angle: phi, s: lift, contact } = summary;
     /** @type {[string, string, number | undefined][]} */
     const list = [];
-    const limit = PRESSURE_ANGLE_LIMIT[mechanism.motion] ?? 30;
     if (phi && mechanism.contact !== "flat") {
-      list.push(["phi", t("verdict.figure.phi", { min: angle(phi.min), max: angle(phi.max), limit: format.number(limit, { unit: "°" }) }), steepest(phi)]);
+      list.push(["phi", t("verdict.figure.phi", { min: angle(phi.min), max: angle(phi.max), limit: format.number(pressure_angle_limit, { unit: "°" }) }), steepest(phi)]);
     }
     if (least_convex) {
       const value = format.quantity(least_convex.value, { trim: true, unit: units.length });

@@ -11,6 +11,8 @@ import { metered } from "./stage/meter.js";
 const READABLE = 80;
 const SIGNIFICANT = 4;
 const MOST_DIGITS = 9;
+/** Width of a letter of a unit, in figures. */
+const UNIT = 0.85;
 
 /**
  * @typedef {object} Reading
@@ -67,7 +69,8 @@ export function mount(root, context) {
     const label = h("label", { for: id }, letter, name);
     return { reading, letter, name, unit, output, label, element: h("div", { class: `readout readout-${reading.token}` }, label, output, unit), digits: 0 };
   });
-  root.append(h("div", { class: "readout-grid" }, ...cells.map(({ element }) => element)));
+  const grid = h("div", { class: "readout-grid" }, ...cells.map(({ element }) => element));
+  root.append(grid);
 
   let shownAt = -Infinity;
   const show = metered(() => {
@@ -98,6 +101,8 @@ export function mount(root, context) {
   function lay() {
     const { report, perSecond } = store.state;
     root.setAttribute("aria-label", t("readout.title"));
+    let figures = 0;
+    let measure = 0;
     for (const cell of cells) {
       const { reading } = cell;
       const size = reading.size(report) * (perSecond ? report.omega ** reading.order : 1);
@@ -107,9 +112,12 @@ export function mount(root, context) {
       cell.name.textContent = ` ${name}`;
       cell.element.title = name;
       cell.unit.textContent = reading.unit(report, perSecond);
-      cell.output.style.minWidth = `${format.number(-size, { digits: cell.digits }).length}ch`;
+      figures = Math.max(figures, format.number(-size, { digits: cell.digits }).length);
+      measure = Math.max(measure, cell.unit.textContent.length * UNIT);
       cell.element.hidden = reading.name === "contact" && !report.summary.contact;
     }
+    grid.style.setProperty("--unit", `${measure}ch`);
+    grid.style.setProperty("--cell", `calc(2em + ${figures + measure}ch)`);
   }
 }
 

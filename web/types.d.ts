@@ -147,6 +147,8 @@ export interface Report {
   borders: number[];
   omega: number;
   period: number;
+  /** Largest pressure angle that the follower tolerates, in degrees. */
+  pressure_angle_limit: number;
   mechanism: {
     sense: 1 | -1;
     base_radius: number;

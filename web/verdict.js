@@ -1,5 +1,6 @@
 /**
- * The verdict: a traffic light with shape and word, the key figures, and every finding with the changes that cure it.
+ * The verdict: a traffic light with shape and words, the key figures, and every finding with the changes that cure it. It keeps
+ * its height whatever it says, so that nothing moves under the hand; more of it is shown on demand.
  *
  * @import { FindingItem } from "./finding-item.js"
  * @import { Finding, Level, Report, ShellContext } from "./types.d.ts"
@@ -7,6 +8,7 @@
 import { h, s } from "./dom.js";
 import { createFigures } from "./figures.js";
 import { createFindingItem } from "./finding-item.js";
+import { icon } from "./icons.js";
 import { createTexts } from "./texts.js";
 
 /** Findings that are in sight before the list is opened. */
@@ -16,7 +18,7 @@ const IN_SIGHT = 2;
 const QUIET = 900;
 
 /** Milliseconds without an edit after which the cures are looked for. */
-const RESTING = 120;
+const RESTING = 90;
 
 /** @typedef {Level | "stopped"} Light */
 
@@ -43,6 +45,7 @@ export function mount(root, context) {
   const note = h("p", { class: "note" });
   const list = h("ul", { class: "findings" });
   const more = h("button", { type: "button", class: "quiet more-findings", "aria-expanded": "false" });
+  const sheet = h("button", { type: "button", class: "quiet sheet", "aria-expanded": "false" }, icon("unfold"));
   const heading = texts.text(h("h2", { class: "unseen", id: "verdict-heading" }), "app.verdict");
   /** @type {FindingItem[]} */
   const items = [];
@@ -54,12 +57,15 @@ export function mount(root, context) {
   let timer = 0;
 
   root.setAttribute("aria-labelledby", heading.id);
-  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline)), figures.root, note, list, more);
+  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline), more, sheet), figures.root, note, list);
   texts.attribute(list, "aria-label", "verdict.findings");
-  more.addEventListener("click", () => {
-    open = !open;
-    fold();
-  });
+  texts.attribute(sheet, "aria-label", "verdict.sheet");
+  for (const button of [more, sheet]) {
+    button.addEventListener("click", () => {
+      open = !open;
+      fold();
+    });
+  }
 
   function update() {
     const { report, error } = store.state;
@@ -70,27 +76,26 @@ export function mount(root, context) {
       sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
       sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
     }
-    word.textContent = t(`level.${light}`);
-    headline.textContent = error ? error.message : report.verdict.headline;
+    const [lead, rest] = error ? [`${t("verdict.stopped")}:`, error.message] : parted(report.verdict.headline);
+    write(word, lead);
+    write(headline, rest);
     show(error ? [] : report.verdict.findings);
     if (report !== shown) awaitCures(report);
-    const keptOrNone = error ? t("verdict.stopped.kept") : t("verdict.none");
-    if (note.textContent !== keptOrNone) note.textContent = keptOrNone;
-    note.hidden = list.childElementCount > 0;
+    write(note, t("verdict.stopped.kept"));
+    note.hidden = error === null;
     figures.update();
     fold();
-    say(`${word.textContent}. ${headline.textContent}`);
+    say(`${lead} ${rest}`);
   }
 
   function fold() {
-    const hidden = items.length - IN_SIGHT;
-    const foldable = hidden > 0;
-    items.forEach(({ root: item }, index) => item.classList.toggle("beyond", foldable && !open && index >= IN_SIGHT));
+    const beyond = items.length - IN_SIGHT;
+    items.forEach(({ root: item }, index) => item.classList.toggle("beyond", !open && index >= IN_SIGHT));
     list.hidden = items.length === 0;
-    more.hidden = !foldable;
-    more.setAttribute("aria-expanded", String(open));
-    more.textContent = open ? t("verdict.fewer") : t("verdict.more", { count: hidden });
-    root.classList.toggle("open", open && foldable);
+    more.hidden = beyond <= 0;
+    write(more, open ? t("verdict.fewer") : t("verdict.more", { count: beyond }));
+    for (const button of [more, sheet]) button.setAttribute("aria-expanded", String(open));
+    root.classList.toggle("open", open);
   }
 
   /** @param {Finding[]} findings */
@@ -142,17 +147,22 @@ export function mount(root, context) {
     figures.speak();
     update();
   });
-  keepOverhang(root);
 }
 
 /**
- * On a phone the section sticks to the lower edge with only its first line in sight; the sheet needs to know how much hangs over.
- * @param {HTMLElement} root
+ * A headline's judgement, up to its colon, and its reason.
+ * @param {string} headline
+ * @returns {[string, string]}
  */
-function keepOverhang(root) {
-  const line = root.querySelector(".verdict-line");
-  if (!(line instanceof HTMLElement)) return;
-  new ResizeObserver(() => {
-    root.style.setProperty("--overhang", `${Math.min(0, line.offsetTop + line.offsetHeight - root.offsetHeight)}px`);
-  }).observe(root);
+function parted(headline) {
+  const end = headline.indexOf(":") + 1;
+  return end > 0 ? [headline.slice(0, end), headline.slice(end).trim()] : [headline, ""];
+}
+
+/**
+ * @param {HTMLElement} element
+ * @param {string} text
+ */
+function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
 }

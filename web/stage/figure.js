@@ -1,5 +1,5 @@
 /**
- * One diagram on the page: letter, unit, name and a sample of its line, and its canvas.
+ * One diagram on the page: a line with its letter, a sample of its curve, its name and unit, and its canvas.
  *
  * @import { Plot } from "./plots.js"
  */
@@ -12,6 +12,6 @@ export function figure(plot) {
   const name = h("span", { class: "diagram-name" });
   const unit = h("span", { class: "diagram-unit" });
   const sample = s("svg", { class: "diagram-sample", viewBox: "0 0 34 6", "aria-hidden": "true" }, s("path", { d: "M1 3H33" }));
-  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", {}, h("span", { class: "diagram-measure" }, letter, unit), sample, name), canvas);
+  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", {}, letter, sample, name, unit), canvas);
   return { plot, element, canvas, letter, name, unit };
 }

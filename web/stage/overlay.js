@@ -5,9 +5,6 @@
  * @import { Palette } from "./palette.js"
  */
 
-/** A wider gap between two diagrams holds a caption, CSS pixels. */
-const CAPTION = 26;
-
 /**
  * @typedef {object} Row  one diagram as it lies under the overlay
  * @property {PlotArea} area
@@ -79,19 +76,13 @@ export function drawOverlay(context, { rows, width, height, ratio, cursor, hover
 }
 
 /**
- * A line through all diagrams, in one piece unless captions stand between them.
+ * A line through every diagram, leaving the captions between them alone.
  * @param {CanvasRenderingContext2D} context
  * @param {readonly Row[]} rows
  * @param {number} x
  */
 function through(context, rows, x) {
-  for (let i = 0; i < rows.length; i++) {
-    const { y, area } = /** @type {Row} */ (rows[i]);
-    const bottom = y + area.top + area.height;
-    const next = rows[i + 1];
-    const reach = next ? next.y + next.area.top : bottom;
-    stroke(context, x, y + area.top, reach - bottom < CAPTION ? reach : bottom);
-  }
+  for (const { y, area } of rows) stroke(context, x, y + area.top, y + area.top + area.height);
 }
 
 /**
