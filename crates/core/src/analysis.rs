@@ -253,8 +253,10 @@ fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
         let inside = (0..bends.len()).filter(|&i| within((from, to), samples.theta[i]));
         let worst = inside.min_by(|&a, &b| follower.regularity(bends[a]).total_cmp(&follower.regularity(bends[b])));
         let (value, at) = match worst {
-            Some(i) if !within((from, to), theta) => (follower.profile_radius(bends[i]), samples.theta[i]),
-            _ => (least, theta),
+            _ if within((from, to), theta) => (least, theta),
+            Some(i) => (follower.profile_radius(bends[i]), samples.theta[i]),
+            // So short that no station falls in it: anywhere in it is as good.
+            None => (follower.profile_radius(cam.at(0.5 * (from + to)).1.bend), (0.5 * (from + to)) % TAU),
         };
         finding(kind, at, value, 0.0, Some((from, to)))
     });

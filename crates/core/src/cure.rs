@@ -1,6 +1,6 @@
 //! What would put a finding right: computed for the cam at hand, and tried before it is offered.
 
-use crate::sizing::geometry_passes;
+use crate::samples::LEAST_STEPS;
 use crate::{
     Analysis, Cam, Finding, FindingKind, LAWS, Law, Program, Segment, balanced_eccentricity, smallest_base_radius,
 };
@@ -41,9 +41,10 @@ pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
     let geometric = |finding: &Finding| !matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase);
     let sound = !analysis.findings.iter().any(geometric);
     let size = if sound { None } else { smallest_base_radius(cam) };
+    let low = analysis.findings.iter().any(|finding| finding.kind == FindingKind::BelowBase);
     let of = |finding: &Finding| match finding.kind {
-        FindingKind::Jump(order) => law_cures(cam, sound, |trial| trial.lowest_jump.is_none_or(|jump| jump > order)),
-        FindingKind::BelowBase => law_cures(cam, sound, |trial| !trial.below_base),
+        FindingKind::Jump(order) => law_cures(cam, spared(sound, low), |trial| trial.lowest_jump.is_none_or(|jump| jump > order)),
+        FindingKind::BelowBase => law_cures(cam, spared(sound, false), |trial| !trial.below_base),
         FindingKind::PressureAngle => size.map(Cure::BaseRadius).into_iter().chain(eccentricity(cam, finding)).collect(),
         FindingKind::Cusp
         | FindingKind::Undercut
@@ -70,6 +71,18 @@ fn eccentricity(cam: &Cam, finding: &Finding) -> Option<Cure> {
     worthwhile.then_some(Cure::Eccentricity { value, pressure_angle })
 }
 
+/// Judges a cam that a cure gives: nothing geometric may be wrong in it when it was `sound` before, and it may go below the
+/// base circle only when it did (`low`) before.
+fn spared(sound: bool, low: bool) -> impl Fn(&Cam) -> bool {
+    move |cam| {
+        Analysis::of(cam, LEAST_STEPS).findings.iter().all(|finding| match finding.kind {
+            FindingKind::Jump(_) => true,
+            FindingKind::BelowBase => low,
+            _ => !sound,
+        })
+    }
+}
+
 /// A program tried as a cure.
 struct Trial {
     changes: Vec<(usize, &'static Law)>,
@@ -81,7 +94,7 @@ struct Trial {
 
 /// Programs in which one law replaces every segment that a joint blames, or just one of them: the smoothest that there is, and
 /// gentler ones that are less smooth; a choice, not a catalogue.
-fn law_cures(cam: &Cam, sound: bool, cured: impl Fn(&Trial) -> bool) -> Vec<Cure> {
+fn law_cures(cam: &Cam, harmless: impl Fn(&Cam) -> bool, cured: impl Fn(&Trial) -> bool) -> Vec<Cure> {
     let blamed = blamed_segments(&cam.program);
     let mut trials: Vec<Trial> = Vec::new();
     for law in LAWS.iter().copied().filter(|law| !law.is_dwell()) {
@@ -97,7 +110,7 @@ fn law_cures(cam: &Cam, sound: bool, cured: impl Fn(&Trial) -> bool) -> Vec<Cure
         let Some(best) = (0..trials.len()).min_by_key(|&k| (rank(&trials[k]), k)) else { break };
         let trial = trials.remove(best);
         let alike = |other: &Trial| other.changes.len() == trial.changes.len() && other.lowest_jump == trial.lowest_jump;
-        let fits = || !sound || geometry_passes(&Cam::new(trial.program.clone(), cam.follower));
+        let fits = || harmless(&Cam::new(trial.program.clone(), cam.follower));
         if !kept.iter().any(alike) && fits() {
             kept.push(trial);
         }

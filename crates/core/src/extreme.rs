@@ -34,7 +34,7 @@ const SLACK: f64 = 1e-2;
 /// Estimates (by a parabola through three samples) that differ by less than this part of the range are all refined.
 const TIE: f64 = 1e-4;
 
-/// Most bumps refined for one extreme: a program of many equal segments needs only some of its equal bumps.
+/// Most bumps refined for one extreme, the most promising first: a program of many equal segments has many equal bumps.
 const MOST_BUMPS: usize = 4;
 
 /// A gain smaller than this part of the range is rounding: the first place that comes so close is the one to name.
@@ -122,7 +122,9 @@ fn greatest(
     let mut best = best.unwrap_or((high, 0.0));
     let top = bumps.iter().map(|bump| bump.promise).fold(f64::NEG_INFINITY, f64::max);
     bumps.retain(|bump| bump.promise >= top - TIE * range);
-    for bump in bumps.iter().take(MOST_BUMPS) {
+    for _ in 0..MOST_BUMPS {
+        let Some(next) = (0..bumps.len()).min_by(|&a, &b| bumps[b].promise.total_cmp(&bumps[a].promise)) else { break };
+        let bump = bumps.remove(next);
         let piece = &cam.program.stretches()[bump.stretch];
         let (at, value) = summit(bump.points, |theta| sign * quantity.at(cam, piece, theta));
         if value > best.0 + ROUNDING * range {

@@ -180,7 +180,11 @@ impl Program {
     pub fn classified_joints(&self) -> Vec<Joint> {
         let scales: [f64; 4] = std::array::from_fn(|order| self.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max));
         let classify = |(stretch, before, after): (&Stretch, Svaj, Svaj)| {
-            let jumps = |order: &usize| (before.order(*order) - after.order(*order)).abs() > JUMP_TOLERANCE * scales[*order];
+            // What a program may leave open at its end is no jump of s.
+            let left_open = [CLOSING_TOLERANCE, 0.0, 0.0, 0.0];
+            let jumps = |&order: &usize| {
+                (before.order(order) - after.order(order)).abs() > JUMP_TOLERANCE * scales[order] + left_open[order]
+            };
             let jump = (0..4).find(jumps).map(|order| order as u8);
             Joint { theta: stretch.from, segment: stretch.segment, before, after, jump }
         };

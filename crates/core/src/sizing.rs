@@ -19,6 +19,9 @@ const STRIDE: f64 = 1.5;
 /// The least ρ that is no cusp, as a part of the base radius: twice what an analysis takes for one.
 const CLEAR_OF_CUSP: f64 = 2e-9;
 
+/// A base circle this small beside another is none: what passes down to here is not limited by its size.
+const VANISHED: f64 = 1e-6;
+
 /// Parts of a radius by which a solved cam is set inside its limit, so that rounding does not put it outside.
 const INSIDE: f64 = 1e-12;
 
@@ -141,8 +144,11 @@ fn candidates(cam: &Cam, pivot_distance: f64) -> Vec<f64> {
 }
 
 /// The boundary of a condition that is infinite on its failing side.
+///
+/// A boundary at zero is never reached: it is left where the base circle has vanished beside the one started from.
 fn bisect(mut low: f64, mut high: f64, shortfall: impl Fn(f64) -> f64) -> f64 {
-    while high - low > 1e-12 * high {
+    let vanished = VANISHED * high;
+    while high - low > 1e-12 * high && high > vanished {
         let middle = 0.5 * (low + high);
         if shortfall(middle) > 0.0 { low = middle } else { high = middle }
     }
