@@ -12,7 +12,7 @@ pub fn cases(cases: u32) -> Config {
     let given = Config::default();
     let rng_seed = if given.rng_seed == RngSeed::Random { RngSeed::Fixed(36) } else { given.rng_seed };
     let cases = (u64::from(cases) * u64::from(given.cases)).div_ceil(256) as u32;
-    Config { cases, rng_seed, failure_persistence: None, ..given }
+    Config { cases, rng_seed, failure_persistence: None, max_global_rejects: 100 * cases, ..given }
 }
 
 /// One segment before it is fitted into a cycle.
