@@ -5,6 +5,7 @@
  * @import { Texts } from "./texts.js"
  */
 import { h } from "./dom.js";
+import { createMenu } from "./menu.js";
 
 /** A design file has a few thousand characters; a larger one is something else. */
 const LARGEST = 1_000_000;
@@ -16,11 +17,12 @@ const LARGEST = 1_000_000;
  */
 export function createFiles({ store, t, banner }, texts, { openFile, saveFile }) {
   const chooser = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: "-1", "aria-hidden": "true" });
-  const open = texts.text(h("button", { type: "button", class: "quiet" }), "header.open");
-  const save = texts.text(h("button", { type: "button", class: "quiet" }), "header.save");
-  texts.attribute(open, "title", "header.open.hint");
-  texts.attribute(save, "title", "header.save.hint");
+  const open = texts.text(h("button", { type: "button" }), "header.open");
+  const save = texts.text(h("button", { type: "button" }), "header.save");
+  const menu = createMenu("files-menu", [open, save]);
+  const files = texts.text(h("button", { type: "button", class: "quiet drop", "aria-haspopup": "menu" }), "header.files");
 
+  files.addEventListener("click", () => menu.open(files));
   open.addEventListener("click", () => chooser.click());
   chooser.addEventListener("change", async () => {
     const [file] = chooser.files ?? [];
@@ -40,7 +42,7 @@ export function createFiles({ store, t, banner }, texts, { openFile, saveFile })
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   });
 
-  return [chooser, open, save];
+  return [chooser, files, menu.root];
 }
 
 /** @param {string} title */

@@ -19,7 +19,7 @@ export function createFindingItem({ store, t, format }, cured) {
   const sentence = h("button", { type: "button", class: "finding-text" });
   const places = h("span", { class: "places" });
   const cures = h("span", { class: "cures" });
-  const root = h("li", {}, sentence, places, cures);
+  const root = h("li", { class: "finding pending" }, sentence, places, cures);
 
   sentence.addEventListener("click", () => what && see(what.theta));
   root.addEventListener("pointerenter", () => store.set({ highlight: highlight() }));
@@ -73,7 +73,6 @@ export function createFindingItem({ store, t, format }, cured) {
     /** @param {Finding} next */
     update(next) {
       what = next;
-      root.className = `finding ${next.severity}`;
       if (sentence.textContent !== next.message) sentence.textContent = next.message;
       sentence.title = t("verdict.see", { angle: format.angle(next.theta) });
       const several = next.places.length > 1 ? next.places : [];
@@ -87,6 +86,7 @@ export function createFindingItem({ store, t, format }, cured) {
     prescribe(next) {
       if (next) {
         remedies = next;
+        root.classList.remove("pending");
         fillButtons(cures, "cure", next.map(({ message }) => message), cure);
       }
       for (const button of cures.querySelectorAll("button")) button.disabled = next === null;

@@ -39,19 +39,25 @@ const motion = (key, letter, place, timed) => ({
   unit: ({ units }, perSecond) => units[perSecond ? letter : key],
 });
 
-/** @type {readonly Reading[]} */
-const READINGS = [
-  { name: "theta", letter: "θ", timed: "θ", place: -1, placeTimed: -1, token: "ink", size: () => 360, order: 0, unit: () => "°" },
-  { name: "t", letter: "t", timed: "t", place: AT.t, placeTimed: AT.t, token: "ink", size: ({ period }) => period, order: 0, unit: () => "s" },
-  motion("s", "s", AT.s, AT.s),
-  motion("v", "V", AT.v, AT.V),
-  motion("a", "A", AT.a, AT.A),
-  motion("j", "J", AT.j, AT.J),
-  { name: "pressure_angle", letter: "φ", timed: "φ", place: AT.pressureAngle, placeTimed: AT.pressureAngle, token: "phi", size: () => 90, order: 0, unit: () => "°" },
-  // A radius of curvature goes to infinity: its decimals follow the cam's size, not its own.
-  { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => units.length },
-  { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "ink", size: largest("contact"), order: 0, unit: ({ units }) => units.length },
-  { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => `${units.length}/rad` },
+/** Place and time, motion, contact: a column each. @type {readonly (readonly Reading[])[]} */
+const GROUPS = [
+  [
+    { name: "theta", letter: "θ", timed: "θ", place: -1, placeTimed: -1, token: "ink", size: () => 360, order: 0, unit: () => "°" },
+    { name: "t", letter: "t", timed: "t", place: AT.t, placeTimed: AT.t, token: "ink", size: ({ period }) => period, order: 0, unit: () => "s" },
+  ],
+  [
+    motion("s", "s", AT.s, AT.s),
+    motion("v", "V", AT.v, AT.V),
+    motion("a", "A", AT.a, AT.A),
+    motion("j", "J", AT.j, AT.J),
+  ],
+  [
+    { name: "pressure_angle", letter: "φ", timed: "φ", place: AT.pressureAngle, placeTimed: AT.pressureAngle, token: "phi", size: () => 90, order: 0, unit: () => "°" },
+    // A radius of curvature goes to infinity: its decimals follow the cam's size, not its own.
+    { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => units.length },
+    { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "ink", size: largest("contact"), order: 0, unit: ({ units }) => units.length },
+    { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => `${units.length}/rad` },
+  ],
 ];
 
 /**
@@ -60,7 +66,7 @@ const READINGS = [
  */
 export function mount(root, context) {
   const { store, t, format } = context;
-  const cells = READINGS.map((reading) => {
+  const columns = GROUPS.map((group) => group.map((reading) => {
     const id = `readout-${reading.name}`;
     const letter = h("i", { class: "symbol" });
     const name = h("span", { class: "unseen" });
@@ -68,8 +74,9 @@ export function mount(root, context) {
     const output = h("output", { id, "aria-live": "off" });
     const label = h("label", { for: id }, letter, name);
     return { reading, letter, name, unit, output, label, element: h("div", { class: `readout readout-${reading.token}` }, label, output, unit), digits: 0 };
-  });
-  const grid = h("div", { class: "readout-grid" }, ...cells.map(({ element }) => element));
+  }));
+  const cells = columns.flat();
+  const grid = h("div", { class: "readout-grid" }, ...columns.map((column) => h("div", {}, ...column.map(({ element }) => element))));
   root.append(grid);
 
   let shownAt = -Infinity;

@@ -4,6 +4,7 @@
  * @import { Translate } from "./types.d.ts"
  */
 import { h } from "./dom.js";
+import { createMenu } from "./menu.js";
 
 /** @typedef {"insert-before" | "insert-after" | "duplicate" | "up" | "down" | "delete"} Action */
 
@@ -15,27 +16,13 @@ const ACTIONS = ["insert-before", "insert-after", "duplicate", "up", "down", "de
  * @param {(action: Action) => void} act
  */
 export function createSegmentMenu(t, act) {
-  const items = ACTIONS.map((action) => {
-    const item = h("button", { type: "button", role: "menuitem", tabindex: "-1" });
-    item.addEventListener("click", () => {
-      root.hidePopover();
-      act(action);
-    });
-    return { action, item };
-  });
-  const root = h("div", { popover: "auto", role: "menu", class: "menu", id: "segment-menu" }, ...items.map(({ item }) => item));
-
-  root.addEventListener("keydown", (event) => {
-    const usable = items.map(({ item }) => item).filter((item) => !item.disabled);
-    const at = usable.findIndex((item) => item === document.activeElement);
-    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    usable.at(to % usable.length)?.focus();
-  });
+  const items = ACTIONS.map((action) => ({ action, item: h("button", { type: "button" }) }));
+  const menu = createMenu("segment-menu", items.map(({ item }) => item));
+  // After the menu has closed and given the focus back.
+  for (const { action, item } of items) item.addEventListener("click", () => act(action));
 
   return {
-    root,
+    root: menu.root,
 
     /**
      * @param {HTMLElement} anchor
@@ -46,13 +33,7 @@ export function createSegmentMenu(t, act) {
         item.textContent = t(`action.${action}`);
         item.disabled = !possible(action);
       }
-      root.setAttribute("aria-label", anchor.getAttribute("aria-label") ?? "");
-      root.showPopover();
-      const { left, bottom, top } = anchor.getBoundingClientRect();
-      const below = bottom + root.offsetHeight < innerHeight;
-      root.style.left = `${Math.max(4, Math.min(left, innerWidth - root.offsetWidth - 4))}px`;
-      root.style.top = `${below ? bottom : Math.max(4, top - root.offsetHeight)}px`;
-      items.find(({ item }) => !item.disabled)?.item.focus();
+      menu.open(anchor);
     },
   };
 }

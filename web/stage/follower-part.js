@@ -40,13 +40,16 @@ export function buildFollower(report, lab) {
   return report.mechanism.pivot ? oscillating(report, lab, report.mechanism.pivot) : translating(report, lab);
 }
 
+/** A pitch curve farther out than this share of the cam's reach, that of a mushroom, is not waited for. */
+const FAR_OUT = 0.6;
+
 /**
- * The cam with its pitch curve, however it is turned. That of a mushroom, far outside, is not waited for.
+ * The cam with its pitch curve, however it is turned.
  * @param {Report["mechanism"]} mechanism
  * @returns {Box}
  */
-function around({ reach, contact, roller_radius: radius }) {
-  const far = reach + (contact === "roller" ? radius : 0);
+function around({ reach, base_radius: base, prime_radius: prime }) {
+  const far = reach + Math.min((prime ?? base) - base, FAR_OUT * reach);
   return { left: -far, right: far, bottom: -far, top: far };
 }
 

@@ -26,7 +26,7 @@ const LEVEL = 1e-9;
  * @param {Report} report
  */
 export function applies(layer, { mechanism }) {
-  return (layer !== "prime" && layer !== "pitch") || mechanism.contact === "roller";
+  return (layer !== "prime" && layer !== "pitch") || mechanism.prime_radius !== null;
 }
 
 /**
@@ -108,7 +108,7 @@ export function drawNormal(pen, report, at, label) {
   context.textAlign = right ? "left" : "right";
   context.textBaseline = "middle";
   const x = right ? Math.max(...ends, axis + clear) + GAP : Math.min(...ends, axis - clear) - GAP;
-  pen.text(label, x, pen.y(oy) + radius * Math.sin(from + sweep / 2), palette.phi);
+  pen.textInside(label, x, pen.y(oy) + radius * Math.sin(from + sweep / 2), palette.phi);
 }
 
 /**

@@ -9,6 +9,8 @@
 const FULL = [];
 /** The stroke of a curve on a laptop, to which all widths given here are relative. */
 const USUAL_STROKE = 1.5;
+/** Between a text and the edge of the canvas, CSS pixels. */
+const EDGE = 6;
 
 export class Pen {
   /** @type {View} */
@@ -164,5 +166,21 @@ export class Pen {
     context.strokeText(text, px, py);
     context.fillStyle = colour;
     context.fillText(text, px, py);
+  }
+
+  /**
+   * The same, moved as far as it takes to stay within the canvas.
+   * @param {string} text
+   * @param {number} px
+   * @param {number} py
+   * @param {string} colour
+   */
+  textInside(text, px, py, colour) {
+    const { canvas, textAlign } = this.context;
+    const width = this.context.measureText(text).width;
+    const before = textAlign === "left" ? 0 : textAlign === "right" ? width : width / 2;
+    const left = Math.max(EDGE, Math.min(px - before, canvas.width / this.ratio - width - EDGE));
+    const y = Math.max(this.palette.size, Math.min(py, canvas.height / this.ratio - this.palette.size));
+    this.text(text, left + before, y, colour);
   }
 }
