@@ -23,6 +23,7 @@ pub use codes::{FOLLOWER_CODES, LAW_CODES};
 use crate::design::default_of;
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::{Design, DesignError, LengthUnit, Speed};
+use crc::{CRC_32_ISO_HDLC, Crc};
 use levalab_core::{Parameter, Rotation};
 
 /// The version of the link, its first field.
@@ -111,9 +112,12 @@ fn is_of_a_link(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.')
 }
 
+/// The checksum of Ethernet, zip and PNG, with the small table: a link is short.
+const CRC_32: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
+
 /// CRC-32 of the text in six digits of base 62.
 fn checksum(text: &str) -> String {
-    number::base_62(crc32fast::hash(text.as_bytes()), 6)
+    number::base_62(CRC_32.checksum(text.as_bytes()), 6)
 }
 
 fn write(design: &Design) -> String {
