@@ -44,10 +44,13 @@ export function launchBrowser(flags = []) {
   return chromium.launch({ executablePath, args: [...FLAGS, ...flags] });
 }
 
-/** Serves `dist/` below a deep path. @param {Record<string, string>} [mounts] further folders */
+/**
+ * Serves `dist/`, or the folder in LEVALAB_PAGE (the checkout, say, while styles are tried), below a deep path.
+ * @param {Record<string, string>} [mounts] further folders
+ */
 export async function startDist(mounts = {}) {
-  const dist = path.join(root, "dist");
-  assert(existsSync(path.join(dist, "index.html")), "dist/ is missing: run `cargo xtask dist`");
+  const dist = path.resolve(root, process.env.LEVALAB_PAGE ?? "dist");
+  assert(existsSync(path.join(dist, "index.html")), `${dist} holds no page: run \`cargo xtask dist\``);
   const site = await startSite({ [PREFIX]: dist, ...mounts });
   return { ...site, url: site.origin + PREFIX };
 }
