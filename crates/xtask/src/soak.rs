@@ -8,8 +8,17 @@ use crate::process::{self, run_told};
 #[derive(clap::Args)]
 pub struct Options {
     /// Random designs and damaged links to try, of each.
-    #[arg(long, default_value_t = 100_000)]
+    #[arg(long, default_value_t = SHORT)]
     count: u64,
+}
+
+/// How many are tried when nothing is said, and by `cargo xtask test`.
+const SHORT: u64 = 100_000;
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { count: SHORT }
+    }
 }
 
 /// Runs the soak test, optimised, with the count asked for.

@@ -14,6 +14,7 @@ use crate::{
     process::{self, cargo, node, seconds},
     project,
     setup::{self, WASM, WasmCompiler},
+    soak,
     wasm::{self, Build},
 };
 
@@ -40,11 +41,12 @@ struct Bench {
     packed: OnceCell<Result<PathBuf, String>>,
 }
 
-const STEPS: [Step; 12] = [
+const STEPS: [Step; 13] = [
     Step { name: "format", claim: "Rust is formatted", check: format },
     Step { name: "clippy", claim: "Rust has no warnings", check: clippy },
     Step { name: "clippy-wasm", claim: "neither has the page's module", check: clippy_wasm },
     Step { name: "native", claim: "Rust tests and documentation examples hold", check: native },
+    Step { name: "soak", claim: "no random design or damaged link gets through", check: soak_short },
     Step { name: "rustdoc", claim: "the documentation builds, its links lead somewhere", check: rustdoc },
     Step { name: "dist", claim: "the page packs and names no other host", check: packs },
     Step { name: "wasm", claim: "the shipped module computes what the command line does", check: wasm_against_native },
@@ -144,6 +146,10 @@ fn clippy_wasm(_: &Bench) -> Result<()> {
         // Clippy belongs to the other compiler: the compiler's own warnings have to do.
         WasmCompiler::Debian { linker } => process::run(&mut wasm::debian_check(&linker)?),
     }
+}
+
+fn soak_short(_: &Bench) -> Result<()> {
+    soak::run(&soak::Options::default())
 }
 
 fn native(_: &Bench) -> Result<()> {
