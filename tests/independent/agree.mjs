@@ -1,0 +1,171 @@
+// Random designs, and how far the `levalab` command and the formulas of cam.mjs are apart on them.
+import { spawnSync } from "node:child_process";
+import { columns } from "./cam.mjs";
+import { FREE_LAWS, MATCHED_LAWS } from "./motion.mjs";
+
+/** Agreement, as a part of the scale of each column. */
+const AGREEMENT = 1e-6;
+
+/** Followers, with a geometry each that can rest on its base circle; `u` is a random number in [0, 1). */
+export const FOLLOWERS = {
+  /** @param {() => number} u */
+  "translating-roller": (u) => ({ base_radius: 30 + 40 * u(), roller_radius: 2 + 20 * u(), eccentricity: maybe(u, 25) }),
+  /** @param {() => number} u */
+  "translating-knife": (u) => ({ base_radius: 30 + 40 * u(), eccentricity: maybe(u, 25) }),
+  /** @param {() => number} u */
+  "translating-curved": (u) => ({ base_radius: 30 + 40 * u(), face_radius: 20 + 80 * u(), eccentricity: maybe(u, 25) }),
+  /** @param {() => number} u */
+  "translating-flat": (u) => ({ base_radius: 20 + 80 * u(), face_angle: maybe(u, 25) }),
+  /** @param {() => number} u */
+  "oscillating-roller": (u) => ({
+    base_radius: 30 + 10 * u(),
+    roller_radius: 2 + 10 * u(),
+    arm: 60 + 20 * u(),
+    pivot_distance: 75 + 10 * u(),
+    pivot_angle: maybe(u, 180),
+  }),
+  /** @param {() => number} u */
+  "oscillating-flat": (u) => ({
+    base_radius: 20 + 40 * u(),
+    face_offset: maybe(u, 15),
+    pivot_distance: 80 + 60 * u(),
+    pivot_angle: maybe(u, 180),
+  }),
+};
+
+/** Zero one time in four, else between −size and size. @param {() => number} u @param {number} size */
+function maybe(u, size) {
+  return u() < 0.25 ? 0 : size * (2 * u() - 1);
+}
+
+/**
+ * Random numbers in [0, 1), the same for the same seed (mulberry32).
+ * @param {number} seed
+ */
+export function random(seed) {
+  let state = seed >>> 0;
+  return () => {
+    state = (state + 0x6d2b79f5) >>> 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+  };
+}
+
+/**
+ * A cycle of two to seven segments; half of them begin on whole degrees, where rows lie on joints.
+ * @param {() => number} u
+ * @param {number} lift
+ */
+function segments(u, lift) {
+  const n = 2 + Math.floor(6 * u());
+  const grid = u() < 0.5 ? 1 : 1000;
+  const laws = [...FREE_LAWS, ...MATCHED_LAWS];
+  /** @type {import("./motion.mjs").Segment[]} */
+  const list = [];
+  let [angle, height] = [0, 0];
+  for (let k = 0; k < n; k++) {
+    const last = k === n - 1;
+    const beta = last ? 360 - angle : Math.round(((360 - angle) / (n - k)) * (0.6 + 0.7 * u()) * grid) / grid;
+    let law = laws[Math.floor(laws.length * u())];
+    const beside = list.some(({ law }, i) => MATCHED_LAWS.includes(law) && (i === k - 1 || (last && i === 0)));
+    if ((MATCHED_LAWS.includes(law) && beside) || (law === "dwell" && last && height !== 0)) law = "cycloidal";
+    const target = last ? 0 : law === "dwell" ? height : Math.round(lift * u() * 1000) / 1000;
+    const b = u();
+    const own = law === "scca" ? { b, c: (1 - b) * u() } : {};
+    list.push({ law, beta, rise: target - height, ...own });
+    [angle, height] = [angle + beta, target];
+  }
+  return list;
+}
+
+/**
+ * @param {keyof typeof FOLLOWERS} kind
+ * @param {"counterclockwise" | "clockwise"} rotation
+ * @param {number} seed
+ * @returns {import("./cam.mjs").Design}
+ */
+export function randomDesign(kind, rotation, seed) {
+  const u = random(seed);
+  const [motion, contact] = kind.split("-");
+  /** @type {{ base_radius: number, [parameter: string]: number }} */
+  const { base_radius, ...parameters } = FOLLOWERS[kind](u);
+  return {
+    format: "levalab/1",
+    title: `Random ${kind} ${seed}`,
+    length_unit: "mm",
+    speed: { value: 1, unit: "rad/s" },
+    cam: { kind: "rotating", rotation, base_radius },
+    follower: { motion, contact, ...parameters },
+    segments: segments(u, motion === "oscillating" ? 20 : 15),
+  };
+}
+
+/**
+ * The columns of the command under test; null where a value is not finite.
+ * @param {string} binary
+ * @param {object} design
+ * @param {number} samples
+ * @returns {Record<string, (number | null)[]>}
+ */
+export function analyze(binary, design, samples) {
+  const options = { input: JSON.stringify(design), encoding: /** @type {const} */ ("utf8"), maxBuffer: 1e8 };
+  const { status, stdout, stderr, error } = spawnSync(binary, ["analyze", "-", "--samples", String(samples), "--json"], options);
+  if (error || status !== 0) throw new Error(`${binary}: ${error ?? stderr}`);
+  return JSON.parse(stdout).columns;
+}
+
+/**
+ * What differs between the command and the formulas: nothing, or one line a column.
+ * @param {string} binary
+ * @param {import("./cam.mjs").Design} design
+ * @param {number} samples
+ */
+export function disagreements(binary, design, samples) {
+  const [found, expected] = [analyze(binary, design, samples), columns(design, samples)];
+  const lines = [];
+  const [names, wanted] = [found, expected].map((table) => Object.keys(table).sort().join(" "));
+  if (names !== wanted) lines.push(`columns ${names}, expected ${wanted}`);
+  // One scale for what shares an axis; a curve that is all but flat is not measured by its own rounding.
+  const size = Math.max(...expected.x.map(Math.abs), ...expected.y.map(Math.abs));
+  for (const [name, values] of Object.entries(expected)) {
+    const inPlane = ["x", "y", "pitch_x", "pitch_y", "contact"].includes(name);
+    const scale = inPlane ? size : Math.max(...values.map(Math.abs));
+    const same = name.startsWith("rho") ? sameRadius(size) : name === "pressure_angle" ? sameAngle(design.follower) : sameValue(scale);
+    const row = values.findIndex((value, i) => !same(found[name]?.[i], value));
+    if (row >= 0) lines.push(`${name} is ${found[name]?.[row]} at row ${row}, expected ${values[row]}`);
+  }
+  return lines;
+}
+
+/** @typedef {(found: number | null | undefined, value: number) => boolean} Comparison */
+
+/** @param {number} scale @returns {Comparison} */
+function sameValue(scale) {
+  return (found, value) => typeof found === "number" && Math.abs(found - value) <= AGREEMENT * scale;
+}
+
+/**
+ * Degrees. The sign of φ is fixed for a disc that slides, which is steep in its rise; for the others only its size is.
+ * @param {{ motion: string, contact: string }} follower
+ * @returns {Comparison}
+ */
+function sameAngle({ motion, contact }) {
+  const signed = motion === "translating" && contact !== "flat";
+  const same = sameValue(1);
+  return (found, value) => (signed ? same(found, value) : typeof found === "number" && same(Math.abs(found), Math.abs(value)));
+}
+
+/**
+ * A radius of curvature has no scale of its own: where it runs to infinity, from either side, curvatures are compared.
+ * @param {number} size
+ * @returns {Comparison}
+ */
+function sameRadius(size) {
+  return (found, value) => {
+    if (found === undefined) return false;
+    const radius = found ?? Infinity;
+    const near = Math.abs(radius - value) <= AGREEMENT * Math.max(size, Math.abs(value));
+    return near || Math.abs(1 / radius - 1 / value) <= AGREEMENT / size;
+  };
+}

@@ -1,0 +1,177 @@
+// Motion laws and programs from the formulas of textbooks, written a second time without a look at the core.
+// A state is [y, y′, y″, y‴]; laws are functions of x ∈ [0, 1), values on an inner joint being limits from the right.
+
+/** @typedef {[number, number, number, number]} State */
+/** @typedef {{ law: string, beta: number, rise?: number, [parameter: string]: number | string | undefined }} Segment */
+
+const { PI, sin, cos } = Math;
+const TAU = 2 * PI;
+
+/** A place this close to a joint (parts of a segment) is on it. */
+const ON_A_JOINT = 1e-9;
+
+/**
+ * A polynomial by its coefficients, constant term first.
+ * @param {number[]} coefficients
+ * @returns {(x: number) => State}
+ */
+const polynomial = (coefficients) => (x) => {
+  /** @type {State} */
+  const state = [0, 0, 0, 0];
+  coefficients.forEach((c, k) => {
+    let factor = c;
+    for (let order = 0; order < 4 && order <= k; order++) {
+      state[order] += factor * x ** (k - order);
+      factor *= k - order;
+    }
+  });
+  return state;
+};
+
+/**
+ * y(x) = 1 − y(1 − x): the second half of a law that is its own reverse.
+ * @param {(x: number) => State} half
+ * @param {number} x
+ * @returns {State}
+ */
+const antisymmetric = (half, x) => {
+  if (x < 0.5 - ON_A_JOINT) return half(x);
+  const [y, v, a, j] = half(1 - x);
+  return [1 - y, v, -a, j];
+};
+
+/**
+ * Norton's SCCA family, first half: sine over b/2, constant over c/2, cosine over the half of d.
+ * @param {number} x
+ * @param {number} b
+ * @param {number} c
+ * @returns {State}
+ */
+function sineConstantCosine(x, b, c) {
+  const d = 1 - b - c;
+  const peak = (4 * PI ** 2) / ((PI ** 2 - 8) * (b ** 2 - d ** 2) - TAU * (PI - 2) * b + PI ** 2);
+  /** @type {State} */
+  let state;
+  if (b > 0 && x < b / 2) {
+    const angle = (PI * x) / b;
+    state = [(b / PI) * x - (b / PI) ** 2 * sin(angle), (b / PI) * (1 - cos(angle)), sin(angle), (PI / b) * cos(angle)];
+  } else if (x <= (1 - d) / 2) {
+    const line = b * (1 / PI - 1 / 2);
+    state = [x ** 2 / 2 + line * x + b ** 2 * (1 / 8 - 1 / PI ** 2), x + line, 1, 0];
+  } else {
+    const [angle, line] = [(PI / d) * (x - (1 - d) / 2), b / PI + c / 2];
+    const constant = (d / PI) ** 2 + b ** 2 * (1 / 8 - 1 / PI ** 2) - (1 - d) ** 2 / 8;
+    state = [line * x + constant - (d / PI) ** 2 * cos(angle), line + (d / PI) * sin(angle), cos(angle), (-PI / d) * sin(angle)];
+  }
+  return /** @type {State} */ (state.map((value) => peak * value));
+}
+
+/** @type {Record<string, (x: number, segment: Segment) => State>} */
+const LAWS = {
+  dwell: () => [0, 0, 0, 0],
+  "constant-velocity": (x) => [x, 1, 0, 0],
+  parabolic: (x) => antisymmetric((u) => [2 * u * u, 4 * u, 4, 0], x),
+  "cubic-1": (x) => antisymmetric((u) => [4 * u ** 3, 12 * u * u, 24 * u, 24], x),
+  "cubic-2": polynomial([0, 0, 3, -2]),
+  "simple-harmonic": (x) => [(1 - cos(PI * x)) / 2, (PI / 2) * sin(PI * x), (PI ** 2 / 2) * cos(PI * x), (-(PI ** 3) / 2) * sin(PI * x)],
+  "double-harmonic": (x, { rise = 0 }) => {
+    /** @param {number} u @returns {State} */
+    const rising = (u) => [
+      (1 - cos(PI * u) - (1 - cos(TAU * u)) / 4) / 2,
+      (PI / 2) * (sin(PI * u) - sin(TAU * u) / 2),
+      (PI ** 2 / 2) * (cos(PI * u) - cos(TAU * u)),
+      (PI ** 3 / 2) * (2 * sin(TAU * u) - sin(PI * u)),
+    ];
+    if (rise >= 0) return rising(x);
+    const [y, v, a, j] = rising(1 - x);
+    return [1 - y, v, -a, j];
+  },
+  cycloidal: (x) => [x - sin(TAU * x) / TAU, 1 - cos(TAU * x), TAU * sin(TAU * x), TAU ** 2 * cos(TAU * x)],
+  "polynomial-3-4-5": polynomial([0, 0, 0, 10, -15, 6]),
+  "polynomial-4-5-6-7": polynomial([0, 0, 0, 0, 35, -84, 70, -20]),
+  "modified-trapezoidal": (x) => antisymmetric((u) => sineConstantCosine(u, 1 / 4, 1 / 2), x),
+  "modified-sine": (x) => antisymmetric((u) => sineConstantCosine(u, 1 / 4, 0), x),
+  scca: (x, { b, c }) => antisymmetric((u) => sineConstantCosine(u, Number(b), Number(c)), x),
+  "half-harmonic-start": (x) => {
+    const [half, angle] = [PI / 2, (PI / 2) * x];
+    return [1 - cos(angle), half * sin(angle), half ** 2 * cos(angle), -(half ** 3) * sin(angle)];
+  },
+  "half-harmonic-end": (x) => {
+    const [half, angle] = [PI / 2, (PI / 2) * x];
+    return [sin(angle), half * cos(angle), -(half ** 2) * sin(angle), -(half ** 3) * cos(angle)];
+  },
+  "half-cycloidal-start": (x) => [x - sin(PI * x) / PI, 1 - cos(PI * x), PI * sin(PI * x), PI ** 2 * cos(PI * x)],
+  "half-cycloidal-end": (x) => [x + sin(PI * x) / PI, 1 + cos(PI * x), -PI * sin(PI * x), -(PI ** 2) * cos(PI * x)],
+};
+
+/** Laws that take their end conditions from their neighbours, with Hermite's closed forms of their coefficients. */
+const MATCHED = {
+  /** @param {State} start @param {State} end */
+  "polynomial-5": ([y0, v0, a0], [y1, v1, a1]) => {
+    const d = y1 - y0;
+    return [
+      y0, v0, a0 / 2,
+      10 * d - 6 * v0 - 4 * v1 - (3 * a0 - a1) / 2,
+      -15 * d + 8 * v0 + 7 * v1 + (3 * a0 - 2 * a1) / 2,
+      6 * d - 3 * (v0 + v1) - (a0 - a1) / 2,
+    ];
+  },
+  /** @param {State} start @param {State} end */
+  "polynomial-7": ([y0, v0, a0, j0], [y1, v1, a1, j1]) => {
+    const d = y1 - y0;
+    return [
+      y0, v0, a0 / 2, j0 / 6,
+      35 * d - 20 * v0 - 15 * v1 - 5 * a0 + (5 / 2) * a1 - (2 / 3) * j0 - j1 / 6,
+      -84 * d + 45 * v0 + 39 * v1 + 10 * a0 - 7 * a1 + j0 + j1 / 2,
+      70 * d - 36 * v0 - 34 * v1 - (15 / 2) * a0 + (13 / 2) * a1 - (2 / 3) * j0 - j1 / 2,
+      -20 * d + 10 * v0 + 10 * v1 + 2 * a0 - 2 * a1 + j0 / 6 + j1 / 6,
+    ];
+  },
+};
+
+export const FREE_LAWS = Object.keys(LAWS);
+export const MATCHED_LAWS = Object.keys(MATCHED);
+
+/** @param {Segment} segment @returns {segment is Segment & { law: keyof typeof MATCHED }} */
+const isMatched = (segment) => segment.law in MATCHED;
+
+/**
+ * Displacement and derivatives per radian at any θ in degrees, limits from the right on joints.
+ * @param {Segment[]} segments
+ * @returns {(theta: number) => State}
+ */
+export function motion(segments) {
+  const starts = [0];
+  const heights = [0];
+  for (const { beta, rise = 0 } of segments) {
+    starts.push(starts[starts.length - 1] + beta);
+    heights.push(heights[heights.length - 1] + rise);
+  }
+  /** @param {number} k @param {number} x @returns {State} */
+  const free = (k, x) => {
+    const { law, beta, rise = 0 } = segments[k];
+    const radians = (beta * PI) / 180;
+    const unit = LAWS[law](x, segments[k]);
+    return /** @type {State} */ (unit.map((value, order) => (order === 0 ? heights[k] : 0) + (rise * value) / radians ** order));
+  };
+  /** @param {number} k @param {number} x @returns {State} */
+  const matched = (k, x) => {
+    const segment = segments[k];
+    if (!isMatched(segment)) return free(k, x);
+    const n = segments.length;
+    const radians = (segment.beta * PI) / 180;
+    /** @param {State} state @param {number} height @returns {State} */
+    const inX = ([, v, a, j], height) => [height, v * radians, a * radians ** 2, j * radians ** 3];
+    // Limits from the left: the end of a law, not the start of what follows.
+    const before = inX(free((k + n - 1) % n, 1), heights[k]);
+    const after = inX(free((k + 1) % n, 0), heights[k + 1]);
+    const state = polynomial(MATCHED[segment.law](before, after))(x);
+    return /** @type {State} */ (state.map((value, order) => value / radians ** order));
+  };
+  return (theta) => {
+    const turned = ((theta % 360) + 360) % 360;
+    let k = segments.length - 1;
+    while (k > 0 && turned < starts[k] - ON_A_JOINT * segments[k].beta) k--;
+    return matched(k, Math.max(0, (turned - starts[k]) / segments[k].beta));
+  };
+}
