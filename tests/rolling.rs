@@ -18,7 +18,7 @@ const STEPS: usize = 7200;
 const RECOVERY: f64 = 1e-6;
 
 /// Cam positions tried in a turn. A prime: it shares no factor with the steps, so the contact falls between polygon points.
-const POSITIONS: usize = 61;
+const POSITIONS: usize = 31;
 
 /// How high the follower rests on a closed polygon of profile points (fixed frame), counted along its path: a length from the
 /// level of the cam's centre, or an angle from the line of centres. A follower rests as high as the highest point lifts it.

@@ -66,7 +66,8 @@ fn the_jumps_found_are_the_jumps_built_in() {
         let segments = program.segments();
         let n = segments.len();
         let joints = program.classified_joints();
-        let greatest = [1, 2, 3].map(|order| joints.iter().map(|joint| joint.after.order(order).abs().max(joint.before.order(order).abs())).fold(0.0, f64::max));
+        let sides: Vec<_> = joints.iter().flat_map(|joint| [joint.before, joint.after]).collect();
+        let greatest = [1, 2, 3].map(|order| sides.iter().map(|side| side.order(order).abs()).fold(0.0, f64::max));
         for k in 0..n {
             let (left, right) = (&segments[(k + n - 1) % n], &segments[k]);
             let border = program.borders()[k];

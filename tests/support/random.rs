@@ -25,7 +25,8 @@ fn draft() -> impl Strategy<Value = Draft> {
 
 /// A program of one to eight segments, no rise of a joint above `lift`.
 pub fn program(lift: f64) -> impl Strategy<Value = Program> {
-    prop::collection::vec(draft(), 1..=8).prop_map(move |drafts| fit(&drafts, lift)).prop_filter_map("it closes", |segments| Program::new(&segments).ok())
+    let fitted = prop::collection::vec(draft(), 1..=8).prop_map(move |drafts| fit(&drafts, lift));
+    fitted.prop_filter_map("it closes", |segments| Program::new(&segments).ok())
 }
 
 /// Shares the turn out among the segments and joins their heights into a cycle. A dwell stays at its height, generic
