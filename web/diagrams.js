@@ -52,6 +52,7 @@ export function mount(root, context) {
   let drawing = false;
 
   new ResizeObserver(() => {
+    palette = readPalette();
     measure();
     drawAll();
   }).observe(plots);

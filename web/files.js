@@ -30,7 +30,10 @@ export function createFiles({ store, t, banner }, texts, { openFile, saveFile })
     if (!file) return;
     const text = file.size > LARGEST ? "" : await file.text();
     const read = openFile(text, t("banner.file.json"));
-    if (read.error) return banner.show("banner.file", { reason: read.error.message });
+    if (read.error) {
+      const { path, message } = read.error;
+      return banner.show("banner.file", { reason: path ? `${path}: ${message}` : message });
+    }
     banner.hide();
     store.replace(read.design, t("edit.file"));
   });

@@ -65,6 +65,7 @@ export function mount(root, context) {
   });
 
   new ResizeObserver(() => {
+    pen.palette = readPalette();
     width = frame.clientWidth;
     height = frame.clientHeight;
     pen.ratio = Math.min(Math.max(devicePixelRatio, 1), SHARPEST);

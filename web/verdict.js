@@ -3,16 +3,13 @@
  * its height whatever it says, so that nothing moves under the hand; more of it is shown on demand.
  *
  * @import { FindingItem } from "./finding-item.js"
- * @import { Finding, Level, Report, ShellContext } from "./types.d.ts"
+ * @import { DesignError, Finding, Level, Report, ShellContext } from "./types.d.ts"
  */
 import { h, s } from "./dom.js";
 import { createFigures } from "./figures.js";
 import { createFindingItem } from "./finding-item.js";
 import { icon } from "./icons.js";
 import { createTexts } from "./texts.js";
-
-/** Findings that are in sight before the list is opened. */
-const IN_SIGHT = 2;
 
 /** Quiet milliseconds after which a changed verdict is said. */
 const QUIET = 900;
@@ -36,20 +33,23 @@ const SHAPES = {
  * @param {ShellContext} context
  */
 export function mount(root, context) {
-  const { store, lab, t, announce } = context;
+  const { store, lab, t, announce, catalogue } = context;
+  const parameters = [...catalogue.followers, ...catalogue.laws].flatMap((entry) => entry.parameters.map(({ key }) => key));
+  /** Keys of the design that have a name in the strings. */
+  const named = new Set(["base_radius", "beta", "rise", ...parameters]);
   const texts = createTexts(t);
   const sign = s("svg", { viewBox: "0 0 24 24", class: "light", "aria-hidden": "true" }, s("path", { class: "shape" }), s("path", { class: "mark" }));
   const word = h("strong", { class: "word" });
   const headline = h("span", { class: "headline" });
   const figures = createFigures(context);
   const note = h("p", { class: "note" });
-  const list = h("ul", { class: "findings" });
-  const more = h("button", { type: "button", class: "quiet more-findings", "aria-expanded": "false" });
-  const sheet = h("button", { type: "button", class: "quiet sheet", "aria-expanded": "false" }, icon("unfold"));
+  const list = h("ul");
+  const all = h("span", { class: "all" });
+  const unfold = h("button", { type: "button", class: "quiet unfold", "aria-expanded": "false" }, all, icon("unfold"));
+  const view = h("div", { class: "findings" }, list);
   const heading = texts.text(h("h2", { class: "unseen", id: "verdict-heading" }), "app.verdict");
   /** @type {FindingItem[]} */
   const items = [];
-  let open = false;
   /** @type {Report | null} */
   let shown = null;
   let cureTimer = 0;
@@ -57,14 +57,20 @@ export function mount(root, context) {
   let timer = 0;
 
   root.setAttribute("aria-labelledby", heading.id);
-  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline), more, sheet), figures.root, note, list);
+  root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline), unfold), figures.root, note, view);
   texts.attribute(list, "aria-label", "verdict.findings");
-  texts.attribute(sheet, "aria-label", "verdict.sheet");
-  for (const button of [more, sheet]) {
-    button.addEventListener("click", () => {
-      open = !open;
-      fold();
-    });
+  unfold.addEventListener("click", () => {
+    const open = root.classList.toggle("open");
+    unfold.setAttribute("aria-expanded", String(open));
+    measure();
+  });
+  const sizes = new ResizeObserver(measure);
+  sizes.observe(view);
+  sizes.observe(list);
+
+  /** Offers to unfold when something is out of sight: after the layout, so that an edit never waits for one. */
+  function measure() {
+    root.toggleAttribute("data-more", root.classList.contains("open") || list.offsetHeight > view.offsetHeight + 1);
   }
 
   function update() {
@@ -76,26 +82,18 @@ export function mount(root, context) {
       sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
       sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
     }
-    const [lead, rest] = error ? [`${t("verdict.stopped")}:`, error.message] : parted(report.verdict.headline);
+    const [lead, rest] = error ? [t("verdict.stopped"), obstacle(error)] : parted(report.verdict.headline);
     write(word, lead);
     write(headline, rest);
     show(error ? [] : report.verdict.findings);
     if (report !== shown) awaitCures(report);
     write(note, t("verdict.stopped.kept"));
     note.hidden = error === null;
+    view.hidden = items.length === 0;
+    unfold.hidden = error !== null;
+    write(all, items.length > 0 ? t("verdict.all", { count: items.length }) : t("verdict.figures"));
     figures.update();
-    fold();
     say(`${lead} ${rest}`);
-  }
-
-  function fold() {
-    const beyond = items.length - IN_SIGHT;
-    items.forEach(({ root: item }, index) => item.classList.toggle("beyond", !open && index >= IN_SIGHT));
-    list.hidden = items.length === 0;
-    more.hidden = beyond <= 0;
-    write(more, open ? t("verdict.fewer") : t("verdict.more", { count: beyond }));
-    for (const button of [more, sheet]) button.setAttribute("aria-expanded", String(open));
-    root.classList.toggle("open", open);
   }
 
   /** @param {Finding[]} findings */
@@ -126,6 +124,14 @@ export function mount(root, context) {
     const next = list.querySelector("button:enabled");
     if (next instanceof HTMLElement) next.focus();
     else word.focus();
+  }
+
+  /** What is wrong, after the name of the number that is. @param {DesignError} error */
+  function obstacle({ path, message }) {
+    const [, place, key = ""] = /^(?:segments\[(\d+)\])?\.?(?:.*\.)?([a-z_]*)$/.exec(path) ?? [];
+    const name = named.has(key) ? t(`parameter.${key}`) : "";
+    const subject = place === undefined ? name : t("segments.parameter.of", { name: name || t("segments.law"), number: Number(place) + 1 });
+    return subject ? `${subject}: ${message}` : message;
   }
 
   /** Says a verdict that has changed, once the hands are still. @param {string} sentence */

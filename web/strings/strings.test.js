@@ -62,8 +62,8 @@ test("no key is asked for that is missing", () => {
 
 test("plurals agree in number", () => {
   const t = createTranslate(() => "es");
-  assert.equal(t("verdict.more", { count: 1 }), "1 observación más");
-  assert.equal(t("verdict.more", { count: 4 }), "4 observaciones más");
+  assert.equal(t("verdict.all", { count: 1 }), "1 observación");
+  assert.equal(t("verdict.all", { count: 4 }), "4 observaciones");
 });
 
 test("a law newer than the strings goes by its id", () => {
