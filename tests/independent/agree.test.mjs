@@ -1,4 +1,4 @@
-// The core against formulas written a second time in another language. LEVALAB_BIN names the command, AGREE_DESIGNS how many
+// The core against formulas written a second time in another language. LEVALAB_CLI names the command, AGREE_DESIGNS how many
 // designs of each kind to draw.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
@@ -9,7 +9,7 @@ import { FOLLOWERS, disagreements, randomDesign } from "./agree.mjs";
 import { FREE_LAWS, MATCHED_LAWS } from "./motion.mjs";
 
 const root = path.resolve(import.meta.dirname, "../..");
-const binary = process.env.LEVALAB_BIN ?? path.join(root, "target/debug/levalab");
+const binary = process.env.LEVALAB_CLI ?? path.join(root, "target/debug/levalab");
 const each = Number(process.env.AGREE_DESIGNS ?? 12);
 
 /** @type {Set<string>} */

@@ -41,12 +41,13 @@ struct Bench {
     packed: OnceCell<Result<PathBuf, String>>,
 }
 
-const STEPS: [Step; 13] = [
+const STEPS: [Step; 14] = [
     Step { name: "format", claim: "Rust is formatted", check: format },
     Step { name: "clippy", claim: "Rust has no warnings", check: clippy },
     Step { name: "clippy-wasm", claim: "neither has the page's module", check: clippy_wasm },
     Step { name: "native", claim: "Rust tests and documentation examples hold", check: native },
     Step { name: "soak", claim: "no random design or damaged link gets through", check: soak_short },
+    Step { name: "independent", claim: "a second set of formulas agrees with the command", check: independent },
     Step { name: "rustdoc", claim: "the documentation builds, its links lead somewhere", check: rustdoc },
     Step { name: "dist", claim: "the page packs and names no other host", check: packs },
     Step { name: "wasm", claim: "the shipped module computes what the command line does", check: wasm_against_native },
@@ -167,11 +168,19 @@ fn packs(bench: &Bench) -> Result<()> {
 
 fn wasm_against_native(bench: &Bench) -> Result<()> {
     let packed = bench.packed()?;
-    process::run(&mut cargo(["build", "--package", "levalab-cli"]))?;
-    let levalab = project::target()?.join("debug").join(format!("levalab{}", std::env::consts::EXE_SUFFIX));
     let mut command = node_test("tests/wasm/*.test.js")?;
-    command.env("LEVALAB_CLI", levalab).env("LEVALAB_MODULE", packed.join(page::MODULE));
+    command.env("LEVALAB_CLI", command_line()?).env("LEVALAB_MODULE", packed.join(page::MODULE));
     process::run(&mut command)
+}
+
+fn independent(_: &Bench) -> Result<()> {
+    process::run(node_test("tests/independent/*.test.mjs")?.env("LEVALAB_CLI", command_line()?))
+}
+
+/// The `levalab` command, up to date.
+fn command_line() -> Result<PathBuf> {
+    process::run(&mut cargo(["build", "--package", "levalab-cli"]))?;
+    Ok(project::target()?.join("debug").join(format!("levalab{}", std::env::consts::EXE_SUFFIX)))
 }
 
 fn types(bench: &Bench) -> Result<()> {
