@@ -15,6 +15,7 @@ const THROTTLED = { latency: 150, downloadThroughput: 1.6 * MEGABIT, uploadThrou
 const site = await startDist({
   "/reference/": path.join(root, "tests/browser/reference"),
   "/pkg/": path.join(root, "web/pkg"),
+  "/examples/": path.join(root, "examples"),
   "/uplot/": path.join(root, "node_modules/uplot/dist"),
 });
 const browser = await launchBrowser(["--enable-precise-memory-info"]);

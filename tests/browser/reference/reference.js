@@ -1,5 +1,5 @@
 // Runs inside a bare page: what one analysis costs in wasm, and what four charts cost, drawn by us and by uPlot.
-import init, { Lab, catalogue } from "/pkg/levalab_wasm.js";
+import init, { Lab } from "/pkg/levalab_wasm.js";
 import uPlot from "/uplot/uPlot.esm.js";
 
 const SAMPLES = 720;
@@ -10,7 +10,7 @@ const COLUMNS = /** @type {const} */ (["theta", "s", "v", "a", "j", "pressure_an
 
 await init();
 const lab = new Lab();
-const { design } = catalogue().examples.find(({ id }) => id === "9RT") ?? catalogue().examples[0];
+const design = await (await fetch("/examples/9RT.lev.json")).json();
 
 /**
  * Milliseconds a run, median of many rounds; a round is long enough for the browser's coarse clock.
