@@ -3,8 +3,8 @@
 mod support;
 
 use levalab_core::{
-    Analysis, Cam, Cure, Finding, FindingKind, Follower, Law, Program, Rotation, Segment, balanced_eccentricity, prescribe,
-    smallest_base_radius,
+    Analysis, Cam, Cure, Finding, FindingKind, Follower, Law, Program, Rotation, Segment, balanced_eccentricity,
+    prescribe, smallest_base_radius,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -166,8 +166,11 @@ fn the_smallest_cam_under_a_radial_roller_is_that_of_its_pressure_angle() {
     // Where curvature does not bind: a small roller and gentle laws.
     let steepest = 30_f64.to_radians().tan();
     for rotation in support::ROTATIONS {
-        for laws in [["cycloidal", "modified-sine"], ["polynomial-3-4-5", "simple-harmonic"], ["polynomial-4-5-6-7", "cubic-2"]] {
-            let program = lengths(&[(laws[0], 80.0, 20.0), ("dwell", 100.0, 0.0), (laws[1], 100.0, -20.0), ("dwell", 80.0, 0.0)]);
+        for laws in
+            [["cycloidal", "modified-sine"], ["polynomial-3-4-5", "simple-harmonic"], ["polynomial-4-5-6-7", "cubic-2"]]
+        {
+            let program =
+                lengths(&[(laws[0], 80.0, 20.0), ("dwell", 100.0, 0.0), (laws[1], 100.0, -20.0), ("dwell", 80.0, 0.0)]);
             let needed = greatest(&program, |s, v, _| v.abs() / steepest - s) - 1.0;
             let cam = Cam::new(program, follower("translating-roller", 15.0, &[("roller_radius", 1.0)], rotation));
             let found = smallest_base_radius(&cam).expect("a size that passes");
@@ -180,7 +183,9 @@ fn the_smallest_cam_under_a_radial_roller_is_that_of_its_pressure_angle() {
 fn the_smallest_cam_is_the_same_from_wherever_it_is_sought() {
     let outcome = TestRunner::new(cases(24)).run(&(program(20.0), -9.0..9.0), |(program, eccentricity)| {
         let given = [("roller_radius", 8.0), ("eccentricity", eccentricity)];
-        let sought = |base_radius: f64| smallest_base_radius(&sliding(program.clone(), "translating-roller", base_radius, &given));
+        let sought = |base_radius: f64| {
+            smallest_base_radius(&sliding(program.clone(), "translating-roller", base_radius, &given))
+        };
         let (from_below, from_above) = (sought(10.0), sought(300.0));
         let agree = match (from_below, from_above) {
             // Where the roller alone is large enough, nothing limits the cam from below and both come near to nothing.
@@ -197,7 +202,9 @@ fn the_smallest_cam_is_the_same_from_wherever_it_is_sought() {
 #[test]
 fn a_cam_that_only_dwells_has_no_smallest_size_to_wait_for() {
     let still = lengths(&[("dwell", 360.0, 0.0)]);
-    for (id, given) in [("translating-roller", &[("roller_radius", 5.0)][..]), ("translating-knife", &[]), ("translating-flat", &[])] {
+    for (id, given) in
+        [("translating-roller", &[("roller_radius", 5.0)][..]), ("translating-knife", &[]), ("translating-flat", &[])]
+    {
         let cam = sliding(still.clone(), id, 40.0, given);
         assert!(smallest_base_radius(&cam).is_none_or(|radius| radius > 0.0 && radius <= 40.0), "{id}");
     }
@@ -205,13 +212,19 @@ fn a_cam_that_only_dwells_has_no_smallest_size_to_wait_for() {
 
 #[test]
 fn a_balanced_eccentricity_balances() {
-    let program = lengths(&[("cycloidal", 90.0, 20.0), ("dwell", 60.0, 0.0), ("polynomial-3-4-5", 150.0, -20.0), ("dwell", 60.0, 0.0)]);
+    let program = lengths(&[
+        ("cycloidal", 90.0, 20.0),
+        ("dwell", 60.0, 0.0),
+        ("polynomial-3-4-5", 150.0, -20.0),
+        ("dwell", 60.0, 0.0),
+    ]);
     for rotation in support::ROTATIONS {
         let roller = follower("translating-roller", 30.0, &[("roller_radius", 6.0)], rotation);
         let cam = Cam::new(program.clone(), roller);
         let value = balanced_eccentricity(&cam).expect("a steep rise and a gentle return balance");
         assert_eq!(value.signum(), rotation.sigma(), "the axis moves to the side where it eases the rise");
-        let (plain, balanced) = (analysis(&cam).summary.pressure_angle, analysis(&with_eccentricity(&cam, value)).summary.pressure_angle);
+        let (plain, balanced) =
+            (analysis(&cam).summary.pressure_angle, analysis(&with_eccentricity(&cam, value)).summary.pressure_angle);
         assert!((balanced.max + balanced.min).abs() < BALANCED);
         assert!(balanced.max < plain.max);
     }

@@ -88,7 +88,11 @@ fn velocity_acceleration_and_jerk_are_slopes_of_what_comes_before() {
             let scale = slopes.iter().fold(0.0_f64, |scale, slope| scale.max(slope.abs()));
             for row in rows_within_stretches(&cam) {
                 let miss = (slope(|k| values[k], row) - slopes[row]).abs();
-                assert!(miss <= SLOPE * scale.max(values[row].abs()), "{name}: {} at row {row}: {miss:e}", its_slope.name());
+                assert!(
+                    miss <= SLOPE * scale.max(values[row].abs()),
+                    "{name}: {} at row {row}: {miss:e}",
+                    its_slope.name()
+                );
             }
         }
     }
@@ -135,7 +139,10 @@ fn the_pitch_curve_is_one_radius_out_from_the_profile() {
             let pitch = points[row] + normal_of_profile(&cam, &points, row) * radius;
             let miss = (Point::new(x[row], y[row]) - pitch).norm();
             assert!(miss <= SLOPE * radius, "{name} at row {row}: {miss:e}");
-            assert!((rho_pitch[row] - rho[row] - radius).abs() <= ROUNDING * rho_pitch[row].abs(), "{name} at row {row}");
+            assert!(
+                (rho_pitch[row] - rho[row] - radius).abs() <= ROUNDING * rho_pitch[row].abs(),
+                "{name} at row {row}"
+            );
         }
     }
 }
@@ -166,7 +173,8 @@ fn the_pressure_angle_lies_between_the_normal_and_the_velocity_of_the_follower()
             } else {
                 slope(trace, row)
             };
-            let (forward, normal) = (velocity * v[row].signum(), normal_of_profile(&cam, &points, row) * to_fixed(&cam, row));
+            let (forward, normal) =
+                (velocity * v[row].signum(), normal_of_profile(&cam, &points, row) * to_fixed(&cam, row));
             let angle = cam.follower.rotation.sigma() * cross(forward, normal).atan2(dot(forward, normal));
             assert!((angle - angles[row]).abs() < 100.0 * SLOPE, "{name} at row {row}: {angle}, not {}", angles[row]);
         }
@@ -182,7 +190,10 @@ fn the_contact_of_a_translating_face_walks_by_the_velocity() {
         let lean = cam.follower.value("face_angle").unwrap_or(0.0);
         for row in 0..=STEPS {
             let found = (points[row] * to_fixed(&cam, row)).re;
-            assert!((contact[row] - found).abs() < ROUNDING * 200.0, "{name} at row {row}: the offset is where the contact is");
+            assert!(
+                (contact[row] - found).abs() < ROUNDING * 200.0,
+                "{name} at row {row}: the offset is where the contact is"
+            );
             if lean == 0.0 {
                 let walked = cam.follower.rotation.sigma() * v[row];
                 assert!((contact[row] - walked).abs() < ROUNDING * 200.0, "{name} at row {row}: σ·v");

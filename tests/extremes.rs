@@ -40,7 +40,9 @@ fn seen(cam: &Cam) -> [(f64, f64); 7] {
             }
         }
         for (k, [(low, _), (high, _)]) in best.into_iter().enumerate() {
-            for (middle, fine) in [low, high].into_iter().flat_map(|middle| (-500..=500).map(move |fine| (middle, fine))) {
+            for (middle, fine) in
+                [low, high].into_iter().flat_map(|middle| (-500..=500).map(move |fine| (middle, fine)))
+            {
                 let part = (middle as f64 + f64::from(fine) / 500.0).clamp(0.0, count as f64);
                 let value = readings(cam, stretch, theta(part))[k];
                 seen[k] = (seen[k].0.min(value), seen[k].1.max(value));
@@ -61,7 +63,11 @@ fn assert_places(name: &str, analysis: &Analysis, found: &Extremes, what: Column
     let scale = found.max.abs().max(found.min.abs());
     let rounding = ROUNDING * (1.0 + scale);
     for value in column(analysis, what) {
-        assert!((found.min - rounding..=found.max + rounding).contains(value), "{name}: {} has a row of {value}", what.name());
+        assert!(
+            (found.min - rounding..=found.max + rounding).contains(value),
+            "{name}: {} has a row of {value}",
+            what.name()
+        );
     }
     for (value, place) in [(found.max, found.max_at), (found.min, found.min_at)] {
         assert!((0.0..TAU).contains(&place), "{name}: {} at {place}", what.name());
@@ -105,7 +111,10 @@ fn assert_summary(name: &str, cam: &Cam) {
                 assert_places(name, &analysis, &summary.rho, Column::Rho, rho);
             } else {
                 let (hollow, _) = summary.tightest_hollow.expect("it is hollow somewhere");
-                assert!((hollow - (1.0 / bend.0 - radius)).abs() <= EXTREME * hollow.abs(), "{name}: tightest hollow {hollow}");
+                assert!(
+                    (hollow - (1.0 / bend.0 - radius)).abs() <= EXTREME * hollow.abs(),
+                    "{name}: tightest hollow {hollow}"
+                );
                 assert_eq!((summary.rho.min, summary.rho.max), (f64::NEG_INFINITY, f64::INFINITY), "{name}");
             }
         }
@@ -141,7 +150,12 @@ fn extremes_hold_among_many_bumps_that_are_almost_as_high() {
 #[test]
 fn extremes_hold_in_a_stretch_of_a_few_stations() {
     for width in [0.3, 1.1, 3.9, 4.1, 7.3] {
-        let rows = [("cycloidal", width, 0.02), ("cycloidal", 100.0, 0.9), ("polynomial-4-5-6-7", 150.0, -0.92), ("dwell", 110.0 - width, 0.0)];
+        let rows = [
+            ("cycloidal", width, 0.02),
+            ("cycloidal", 100.0, 0.9),
+            ("polynomial-4-5-6-7", 150.0, -0.92),
+            ("dwell", 110.0 - width, 0.0),
+        ];
         assert_summary(&format!("a stretch of {width}°"), &Cam::new(lengths(&rows), roller()));
         let arm = [("roller_radius", 10.0), ("arm", 80.0), ("pivot_distance", 100.0)];
         let swinging = follower("oscillating-roller", 50.0, &arm, Rotation::CounterClockwise);

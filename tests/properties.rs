@@ -2,7 +2,10 @@
 
 mod support;
 
-use levalab_core::{Analysis, Body, Cam, Column, Extremes, Finding, FindingKind, Follower, Motion, Program, Quantity, Segment, prescribe};
+use levalab_core::{
+    Analysis, Body, Cam, Column, Extremes, Finding, FindingKind, Follower, Motion, Program, Quantity, Segment,
+    prescribe,
+};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 use support::random::{cam, cases, opposite};
@@ -214,12 +217,14 @@ fn scaled(cam: &Cam, k: f64) -> Cam {
     for (value, parameter) in values.iter_mut().zip(follower.kind.parameters) {
         *value *= if parameter.quantity == Quantity::Length { k } else { 1.0 };
     }
-    let follower = Follower::new(follower.kind, follower.base_radius * k, values, follower.rotation).expect("as good as before");
+    let follower =
+        Follower::new(follower.kind, follower.base_radius * k, values, follower.rotation).expect("as good as before");
     Cam::new(Program::new(&segments.collect::<Vec<_>>()).expect("as good as before"), follower)
 }
 
 fn turned_over(follower: &Follower) -> Follower {
-    Follower::new(follower.kind, follower.base_radius, follower.values, opposite(follower.rotation)).expect("as good as before")
+    Follower::new(follower.kind, follower.base_radius, follower.values, opposite(follower.rotation))
+        .expect("as good as before")
 }
 
 /// The program that goes through the same heights backwards. Halves change places; all other laws are their own reverse.

@@ -90,7 +90,8 @@ fn cubic([a, b, c, d]: [f64; 4], t: f64) -> f64 {
 fn summit(points: &[Point], height: impl Fn(Point) -> f64) -> f64 {
     let n = points.len();
     let heights: Vec<f64> = points.iter().map(|&point| height(point)).collect();
-    let top = (0..n).filter(|&i| !heights[i].is_nan()).max_by(|&i, &k| heights[i].total_cmp(&heights[k])).expect("a contact");
+    let top =
+        (0..n).filter(|&i| !heights[i].is_nan()).max_by(|&i, &k| heights[i].total_cmp(&heights[k])).expect("a contact");
     let (before, here, after) = (heights[(top + n - 1) % n], heights[top], heights[(top + 1) % n]);
     let (slope, bend) = (0.5 * (after - before), before - 2.0 * here + after);
     if bend < 0.0 { here - 0.5 * slope * slope / bend } else { here }
@@ -180,5 +181,8 @@ fn a_profile_that_is_a_little_wrong_is_noticed() {
     let swollen: Vec<Point> = polygon(&cam).iter().map(|point| point * (1.0 + 1e-5)).collect();
     let rest = resting_height(&cam.follower, &base_circle(cam.follower.base_radius));
     let found = resting_height(&cam.follower, &turned(&swollen, cam.follower.rotation, 2.0)) - rest;
-    assert!((found - cam.program.at(2.0).s).abs() > RECOVERY * 12.0, "the test would see an error of a hundred-thousandth");
+    assert!(
+        (found - cam.program.at(2.0).s).abs() > RECOVERY * 12.0,
+        "the test would see an error of a hundred-thousandth"
+    );
 }

@@ -48,8 +48,12 @@ fn kinds(analysis: &Analysis) -> Vec<FindingKind> {
 #[test]
 fn r1_constant_velocity_machine() {
     let omega = TAU;
-    let program =
-        lengths(&[("polynomial-5", 90.0, 0.1), ("constant-velocity", 90.0, 0.1), ("polynomial-5", 135.0, -0.2), ("dwell", 45.0, 0.0)]);
+    let program = lengths(&[
+        ("polynomial-5", 90.0, 0.1),
+        ("constant-velocity", 90.0, 0.1),
+        ("polynomial-5", 135.0, -0.2),
+        ("dwell", 45.0, 0.0),
+    ]);
     assert_coefficients_print(&program, 0, 1.0, &["0", "0", "0", "0.6", "-0.8", "0.3"]);
     assert_coefficients_print(&program, 2, 1.0, &["0.2", "0.15", "0", "-2.9", "4.2", "-1.65"]);
     let cam = Cam::new(program, radial_roller(0.2, 0.01));
@@ -181,8 +185,12 @@ fn r5_parabolic_cam() {
     }
     assert_eq!((summary.j.min, summary.j.max), (0.0, 0.0));
     // Four jumps of a beside the dwells, and one in the middle of each stretch.
-    let places: Vec<f64> =
-        analysis.joints.iter().filter(|joint| joint.jump == Some(2)).map(|joint| joint.theta.to_degrees().round()).collect();
+    let places: Vec<f64> = analysis
+        .joints
+        .iter()
+        .filter(|joint| joint.jump == Some(2))
+        .map(|joint| joint.theta.to_degrees().round())
+        .collect();
     assert_eq!(places, [0.0, 70.0, 120.0, 170.0, 200.0, 280.0]);
     // Handouts print y = h + 2h(1 − x)² for the second half; the sign is −.
     let x: f64 = 0.8;
@@ -193,7 +201,8 @@ fn r5_parabolic_cam() {
 #[test]
 fn classic_1rt_tends_to_a_circle_as_its_roller_grows() {
     let program = lengths(&[("simple-harmonic", 180.0, 20.0), ("simple-harmonic", 180.0, -20.0)]);
-    let summary = |roller_radius: f64| Analysis::of(&Cam::new(program.clone(), radial_roller(40.0, roller_radius)), 720).summary;
+    let summary =
+        |roller_radius: f64| Analysis::of(&Cam::new(program.clone(), radial_roller(40.0, roller_radius)), 720).summary;
     let unevenness = |roller_radius: f64| {
         let rho = summary(roller_radius).rho;
         rho.max - rho.min
@@ -208,7 +217,8 @@ fn classic_1rt_tends_to_a_circle_as_its_roller_grows() {
 
 #[test]
 fn classic_2ro_is_acceptable() {
-    let program = degrees(&[("polynomial-4-5-6-7", 120.0, 10.0), ("dwell", 120.0, 0.0), ("polynomial-4-5-6-7", 120.0, -10.0)]);
+    let program =
+        degrees(&[("polynomial-4-5-6-7", 120.0, 10.0), ("dwell", 120.0, 0.0), ("polynomial-4-5-6-7", 120.0, -10.0)]);
     let arm = [("roller_radius", 10.0), ("arm", 80.0), ("pivot_distance", 80.0)];
     let cam = Cam::new(program, follower("oscillating-roller", 40.0, &arm, Rotation::CounterClockwise));
     let (_, rest) = cam.at(0.0);
@@ -221,8 +231,15 @@ fn classic_2ro_is_acceptable() {
 
 #[test]
 fn classic_3pt_has_its_least_base_circle_where_a_cusp_appears() {
-    let program = lengths(&[("cycloidal", 100.0, 20.0), ("dwell", 80.0, 0.0), ("polynomial-3-4-5", 120.0, -20.0), ("dwell", 60.0, 0.0)]);
-    let at = |base_radius: f64| Cam::new(program.clone(), follower("translating-flat", base_radius, &[], Rotation::CounterClockwise));
+    let program = lengths(&[
+        ("cycloidal", 100.0, 20.0),
+        ("dwell", 80.0, 0.0),
+        ("polynomial-3-4-5", 120.0, -20.0),
+        ("dwell", 60.0, 0.0),
+    ]);
+    let at = |base_radius: f64| {
+        Cam::new(program.clone(), follower("translating-flat", base_radius, &[], Rotation::CounterClockwise))
+    };
     let least = smallest_base_radius(&at(100.0)).expect("a flat face always has one");
     let rho = Analysis::of(&at(least), 720).summary.rho.min;
     // A cure stays inside the limit by the part that counts as a cusp; both are thousands of times below a micron.
@@ -240,7 +257,8 @@ fn classic_4po_serves_but_at_high_speed() {
         ("dwell", 60.0, 0.0),
         ("polynomial-4-5-6-7", 120.0, -12.0),
     ]);
-    let cam = Cam::new(program, follower("oscillating-flat", 60.0, &[("pivot_distance", 120.0)], Rotation::CounterClockwise));
+    let cam =
+        Cam::new(program, follower("oscillating-flat", 60.0, &[("pivot_distance", 120.0)], Rotation::CounterClockwise));
     let analysis = Analysis::of(&cam, 720);
     assert_eq!((analysis.level, kinds(&analysis)), (Level::LowSpeed, vec![FindingKind::Jump(3)]));
     // The least face length is a result: m·cos ξ/(1 + v) at its greatest, over a grid of its own.
@@ -255,8 +273,12 @@ fn classic_4po_serves_but_at_high_speed() {
 
 #[test]
 fn classic_5acrt_and_6acpt_keep_their_breadth() {
-    let program =
-        lengths(&[("simple-harmonic", 120.0, 20.0), ("dwell", 60.0, 0.0), ("simple-harmonic", 120.0, -20.0), ("dwell", 60.0, 0.0)]);
+    let program = lengths(&[
+        ("simple-harmonic", 120.0, 20.0),
+        ("dwell", 60.0, 0.0),
+        ("simple-harmonic", 120.0, -20.0),
+        ("dwell", 60.0, 0.0),
+    ]);
     for k in 0..360 {
         let theta = f64::from(k).to_radians();
         let sum = program.at(theta).s + program.at(theta + PI).s;
@@ -266,8 +288,12 @@ fn classic_5acrt_and_6acpt_keep_their_breadth() {
 
 #[test]
 fn classic_6acpt_measures_the_same_across_every_diameter() {
-    let program =
-        lengths(&[("simple-harmonic", 120.0, 20.0), ("dwell", 60.0, 0.0), ("simple-harmonic", 120.0, -20.0), ("dwell", 60.0, 0.0)]);
+    let program = lengths(&[
+        ("simple-harmonic", 120.0, 20.0),
+        ("dwell", 60.0, 0.0),
+        ("simple-harmonic", 120.0, -20.0),
+        ("dwell", 60.0, 0.0),
+    ]);
     let cam = Cam::new(program, follower("translating-flat", 60.0, &[], Rotation::CounterClockwise));
     let profile = support::profile(&Analysis::of(&cam, 7200));
     let breadth = 2.0 * 60.0 + 20.0;

@@ -4,7 +4,8 @@ mod support;
 
 use levalab_core::law::Law;
 use levalab_core::{
-    Analysis, Cam, FOLLOWERS, FindingKind, Follower, FollowerKind, GeometryProblem, Program, ProgramProblem, Rotation, Segment,
+    Analysis, Cam, FOLLOWERS, FindingKind, Follower, FollowerKind, GeometryProblem, Program, ProgramProblem, Rotation,
+    Segment,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -71,7 +72,11 @@ fn the_jumps_found_are_the_jumps_built_in() {
         for k in 0..n {
             let (left, right) = (&segments[(k + n - 1) % n], &segments[k]);
             let border = program.borders()[k];
-            let found = joints.iter().find(|joint| joint.theta == border && joint.segment == k).expect("every border is a joint").jump;
+            let found = joints
+                .iter()
+                .find(|joint| joint.theta == border && joint.segment == k)
+                .expect("every border is a joint")
+                .jump;
             let name = format!("{} to {} at {border}", left.law.id, right.law.id);
             match (ends(left), ends(right)) {
                 (Some((_, before, _)), Some((after, _, _))) => {
@@ -79,10 +84,13 @@ fn the_jumps_found_are_the_jumps_built_in() {
                     prop_assert_eq!(found, built_in, "{}", name);
                 }
                 // A generic polynomial takes over s, v, a, and with degree 7 j as well.
-                _ if left.law.id == "polynomial-7" || right.law.id == "polynomial-7" => prop_assert_eq!(found, None, "{}", name),
+                _ if left.law.id == "polynomial-7" || right.law.id == "polynomial-7" => {
+                    prop_assert_eq!(found, None, "{}", name);
+                }
                 _ => prop_assert!(found.is_none_or(|order| order == 3), "{name}: {found:?}"),
             }
-            let inside = joints.iter().filter(|joint| joint.segment == k && joint.theta != border && joint.jump.is_some());
+            let inside =
+                joints.iter().filter(|joint| joint.segment == k && joint.theta != border && joint.jump.is_some());
             let expected = ends(right).and_then(|ends| ends.2).filter(|_| right.rise != 0.0);
             let inside: Vec<u8> = inside.filter_map(|joint| joint.jump).collect();
             prop_assert_eq!(inside, expected.into_iter().collect::<Vec<_>>(), "within {}", right.law.id);
@@ -95,14 +103,23 @@ fn the_jumps_found_are_the_jumps_built_in() {
 #[test]
 fn what_closes_within_the_tolerance_is_no_jump() {
     // Metres typed to ten digits: half a nanometre is left over, which a program is allowed.
-    let program = lengths(&[("cycloidal", 120.0, 0.05), ("dwell", 60.0, 0.0), ("cycloidal", 120.0, -0.049_999_999_5), ("dwell", 60.0, 0.0)]);
+    let program = lengths(&[
+        ("cycloidal", 120.0, 0.05),
+        ("dwell", 60.0, 0.0),
+        ("cycloidal", 120.0, -0.049_999_999_5),
+        ("dwell", 60.0, 0.0),
+    ]);
     assert_eq!(program.classified_joints().iter().filter_map(|joint| joint.jump).min(), Some(3));
 }
 
 #[test]
 fn each_undercut_is_worst_within_its_own_stretch() {
     // The second stretch, at the start of the return, is a tenth of a degree long: no station falls in it.
-    let segments = [("dwell", 5.590_852_098_096_93, 0.0), ("polynomial-4-5-6-7", 0.296_138_387_229_699, 17.56), ("cubic-2", 0.0, -17.56)];
+    let segments = [
+        ("dwell", 5.590_852_098_096_93, 0.0),
+        ("polynomial-4-5-6-7", 0.296_138_387_229_699, 17.56),
+        ("cubic-2", 0.0, -17.56),
+    ];
     let mut segments = segments.map(|(law, beta, rise)| Segment::new(Law::by_id(law).expect(law), beta, rise));
     segments[2].beta = TAU - segments[0].beta - segments[1].beta;
     let program = Program::new(&segments).expect("a program");
@@ -118,7 +135,8 @@ fn each_undercut_is_worst_within_its_own_stretch() {
 
 fn refusal(id: &str, base_radius: f64, values: [f64; 4]) -> (&'static str, GeometryProblem) {
     let kind = FollowerKind::by_id(id).expect(id);
-    let error = Follower::new(kind, base_radius, values, Rotation::CounterClockwise).expect_err("this cannot rest on its base circle");
+    let error = Follower::new(kind, base_radius, values, Rotation::CounterClockwise)
+        .expect_err("this cannot rest on its base circle");
     (error.key, error.problem)
 }
 
@@ -146,13 +164,22 @@ fn a_follower_that_cannot_be_is_refused_by_the_magnitude_to_blame() {
         refusal("translating-knife", 40.0, [40.0, 0.0, 0.0, 0.0]),
         ("eccentricity", GeometryProblem::Eccentricity { found: 40.0, prime_radius: 40.0 }),
     );
-    assert!(matches!(refusal("translating-flat", 40.0, [FRAC_PI_2, 0.0, 0.0, 0.0]), ("face_angle", GeometryProblem::Outside { .. })));
+    assert!(matches!(
+        refusal("translating-flat", 40.0, [FRAC_PI_2, 0.0, 0.0, 0.0]),
+        ("face_angle", GeometryProblem::Outside { .. })
+    ));
     for (arm, pivot_distance) in [(20.0, 100.0), (100.0, 20.0), (20.0, 30.0)] {
         let (key, problem) = refusal("oscillating-roller", 40.0, [10.0, arm, pivot_distance, 0.0]);
-        assert_eq!((key, problem), ("pivot_distance", GeometryProblem::Triangle { pivot_distance, arm, prime_radius: 50.0 }));
+        assert_eq!(
+            (key, problem),
+            ("pivot_distance", GeometryProblem::Triangle { pivot_distance, arm, prime_radius: 50.0 })
+        );
     }
     let (key, problem) = refusal("oscillating-flat", 40.0, [-10.0, 50.0, 0.0, 0.0]);
-    assert_eq!((key, problem), ("pivot_distance", GeometryProblem::FaceOutOfReach { pivot_distance: 50.0, needed: 50.0 }));
+    assert_eq!(
+        (key, problem),
+        ("pivot_distance", GeometryProblem::FaceOutOfReach { pivot_distance: 50.0, needed: 50.0 })
+    );
 }
 
 #[test]
@@ -173,7 +200,11 @@ fn a_parameter_that_is_not_a_number_is_refused_by_its_own_name() {
 
 #[test]
 fn a_segment_that_cannot_be_is_refused_at_its_place() {
-    let good = || lengths(&[("cycloidal", 120.0, 10.0), ("dwell", 60.0, 0.0), ("scca", 120.0, -10.0), ("dwell", 60.0, 0.0)]).segments().to_vec();
+    let good = || {
+        lengths(&[("cycloidal", 120.0, 10.0), ("dwell", 60.0, 0.0), ("scca", 120.0, -10.0), ("dwell", 60.0, 0.0)])
+            .segments()
+            .to_vec()
+    };
     let refused = |k: usize, spoil: &dyn Fn(&mut Segment)| {
         let mut segments = good();
         spoil(&mut segments[k]);
@@ -188,7 +219,9 @@ fn a_segment_that_cannot_be_is_refused_at_its_place() {
         assert!(matches!(refused(0, &|segment| segment.rise = bad), ProgramProblem::Rise { .. }), "L = {bad}");
     }
     assert_eq!(refused(1, &|segment| segment.rise = 1.0), ProgramProblem::DwellRises { found: 1.0 });
-    for (parameters, key) in [([f64::NAN, 0.5], "b"), ([-0.1, 0.5], "b"), ([1.1, 0.0], "b"), ([0.5, 0.6], "c"), ([0.5, f64::NAN], "c")] {
+    for (parameters, key) in
+        [([f64::NAN, 0.5], "b"), ([-0.1, 0.5], "b"), ([1.1, 0.0], "b"), ([0.5, 0.6], "c"), ([0.5, f64::NAN], "c")]
+    {
         let problem = refused(2, &|segment| segment.parameters = parameters);
         assert!(matches!(problem, ProgramProblem::Parameter { key: named, .. } if named == key), "{problem:?}");
     }

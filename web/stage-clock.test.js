@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { FASTEST, SLOWEST, WHEEL, afterKey, positionOf, rateAt, stepped, turned, wrap } from "./stage/clock.js";
 
+/** @param {string} name */
 const key = (name, modifiers = {}) => ({ key: name, shiftKey: false, altKey: false, ...modifiers });
 
 test("angles wrap into one turn", () => {

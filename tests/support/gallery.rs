@@ -41,7 +41,12 @@ pub fn programs(id: &str) -> [Program; 4] {
     let rows: [&[(&str, f64, f64)]; 4] = [
         &[("cycloidal", 110.0, 12.0), ("dwell", 50.0, 0.0), ("polynomial-3-4-5", 130.0, -12.0), ("dwell", 70.0, 0.0)],
         &[("simple-harmonic", 170.0, 14.0), ("simple-harmonic", 190.0, -14.0)],
-        &[("modified-sine", 100.0, 6.0), ("double-harmonic", 100.0, 6.0), ("dwell", 20.0, 0.0), ("modified-trapezoidal", 140.0, -12.0)],
+        &[
+            ("modified-sine", 100.0, 6.0),
+            ("double-harmonic", 100.0, 6.0),
+            ("dwell", 20.0, 0.0),
+            ("modified-trapezoidal", 140.0, -12.0),
+        ],
         &[("dwell", 60.0, 0.0), ("parabolic", 120.0, 10.0), ("polynomial-5", 40.0, 1.0), ("cubic-2", 140.0, -11.0)],
     ];
     rows.map(|rows| {

@@ -6,7 +6,9 @@
 pub mod gallery;
 pub mod random;
 
-use levalab_core::{Analysis, Cam, Column, Finding, FindingKind, Follower, FollowerKind, Point, Program, Rotation, Segment};
+use levalab_core::{
+    Analysis, Cam, Column, Finding, FindingKind, Follower, FollowerKind, Point, Program, Rotation, Segment,
+};
 
 /// Both senses of rotation.
 pub const ROTATIONS: [Rotation; 2] = [Rotation::CounterClockwise, Rotation::Clockwise];

@@ -1,7 +1,9 @@
 //! Random programs, followers and cams for property tests: all laws, all followers, both rotations.
 
 use super::ROTATIONS;
-use levalab_core::{Cam, FOLLOWERS, Follower, FollowerKind, LAWS, Law, Motion, Parameter, Program, Quantity, Rotation, Segment};
+use levalab_core::{
+    Cam, FOLLOWERS, Follower, FollowerKind, LAWS, Law, Motion, Parameter, Program, Quantity, Rotation, Segment,
+};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use std::f64::consts::{PI, TAU};
@@ -41,7 +43,13 @@ fn fit(drafts: &[Draft], lift: f64) -> Vec<Segment> {
         let beside = segments.last().is_some_and(|before| before.law.is_matched()) || last && drafts[0].0.is_matched();
         let stuck = law.is_dwell() && last && height != 0.0;
         let law = if stuck || law.is_matched() && beside { cycloidal } else { law };
-        let target = if last { 0.0 } else if law.is_dwell() { height } else { target * lift };
+        let target = if last {
+            0.0
+        } else if law.is_dwell() {
+            height
+        } else {
+            target * lift
+        };
         let mut segment = Segment::new(law, share / sum * TAU, target - height);
         if law.parameters.len() == 2 {
             segment.parameters = [b, c * (1.0 - b)];
@@ -55,11 +63,14 @@ fn fit(drafts: &[Draft], lift: f64) -> Vec<Segment> {
 /// A follower that can rest on its base circle, lengths up to a hundred or so.
 pub fn follower_of(kind: &'static FollowerKind) -> impl Strategy<Value = Follower> {
     let values = kind.parameters.iter().map(value).collect::<Vec<_>>();
-    (5.0..120.0, values, prop::sample::select(&ROTATIONS[..])).prop_filter_map("it rests", move |(base_radius, values, rotation)| {
-        let mut all = [0.0; 4];
-        all[..values.len()].copy_from_slice(&values);
-        Follower::new(kind, base_radius, all, rotation).ok()
-    })
+    (5.0..120.0, values, prop::sample::select(&ROTATIONS[..])).prop_filter_map(
+        "it rests",
+        move |(base_radius, values, rotation)| {
+            let mut all = [0.0; 4];
+            all[..values.len()].copy_from_slice(&values);
+            Follower::new(kind, base_radius, all, rotation).ok()
+        },
+    )
 }
 
 fn value(parameter: &Parameter) -> BoxedStrategy<f64> {

@@ -43,9 +43,13 @@ pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
     let size = if sound { None } else { smallest_base_radius(cam) };
     let low = analysis.findings.iter().any(|finding| finding.kind == FindingKind::BelowBase);
     let of = |finding: &Finding| match finding.kind {
-        FindingKind::Jump(order) => law_cures(cam, spared(sound, low), |trial| trial.lowest_jump.is_none_or(|jump| jump > order)),
+        FindingKind::Jump(order) => {
+            law_cures(cam, spared(sound, low), |trial| trial.lowest_jump.is_none_or(|jump| jump > order))
+        }
         FindingKind::BelowBase => law_cures(cam, spared(sound, false), |trial| !trial.below_base),
-        FindingKind::PressureAngle => size.map(Cure::BaseRadius).into_iter().chain(eccentricity(cam, finding)).collect(),
+        FindingKind::PressureAngle => {
+            size.map(Cure::BaseRadius).into_iter().chain(eccentricity(cam, finding)).collect()
+        }
         FindingKind::Cusp
         | FindingKind::Undercut
         | FindingKind::ConcaveFlat
@@ -109,7 +113,8 @@ fn law_cures(cam: &Cam, harmless: impl Fn(&Cam) -> bool, cured: impl Fn(&Trial) 
         // The first of the best, so that among laws which come to the same curve the first of the list is named.
         let Some(best) = (0..trials.len()).min_by_key(|&k| (rank(&trials[k]), k)) else { break };
         let trial = trials.remove(best);
-        let alike = |other: &Trial| other.changes.len() == trial.changes.len() && other.lowest_jump == trial.lowest_jump;
+        let alike =
+            |other: &Trial| other.changes.len() == trial.changes.len() && other.lowest_jump == trial.lowest_jump;
         let fits = || harmless(&Cam::new(trial.program.clone(), cam.follower));
         if !kept.iter().any(alike) && fits() {
             kept.push(trial);

@@ -43,8 +43,11 @@ const ROUNDING: f64 = 1e-12;
 /// Extremes of a quantity over the turn.
 pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extremes {
     let (grid, own) = (samples.grid(quantity), samples.own(quantity));
-    let of_each: Vec<(f64, f64)> =
-        samples.spans.iter().map(|span| bounds(&own[span.own.clone()], bounds(&grid[span.grid.clone()], NOTHING))).collect();
+    let of_each: Vec<(f64, f64)> = samples
+        .spans
+        .iter()
+        .map(|span| bounds(&own[span.own.clone()], bounds(&grid[span.grid.clone()], NOTHING)))
+        .collect();
     let (low, high) = of_each.iter().fold(NOTHING, |all, each| (all.0.min(each.0), all.1.max(each.1)));
     if high - low <= ROUNDING * high.abs().max(low.abs()) {
         return Extremes { min: low, min_at: 0.0, max: high, max_at: 0.0 };
@@ -113,7 +116,11 @@ fn greatest(
                 }
                 if here.1 >= before.1 && here.1 > after.1 || here.1 > before.1 && here.1 >= after.1 {
                     let first = if i == 0 { here } else { before };
-                    bumps.push(Bump { stretch, points: [(first.0, before.1), here, after], promise: vertex(before.1, here.1, after.1) });
+                    bumps.push(Bump {
+                        stretch,
+                        points: [(first.0, before.1), here, after],
+                        promise: vertex(before.1, here.1, after.1),
+                    });
                 }
             }
             before = here;
@@ -178,10 +185,18 @@ fn summit([(low, _), (start, at_start), (high, _)]: [(f64, f64); 3], f: impl Fn(
         let u = u.clamp(low, high);
         let fu = f(u);
         if fu >= fx {
-            if u >= x { a = x } else { b = x }
+            if u >= x {
+                a = x;
+            } else {
+                b = x;
+            }
             (v, fv, w, fw, x, fx) = (w, fw, x, fx, u, fu);
         } else {
-            if u < x { a = u } else { b = u }
+            if u < x {
+                a = u;
+            } else {
+                b = u;
+            }
             if fu >= fw || w == x {
                 (v, fv, w, fw) = (w, fw, u, fu);
             } else if fu >= fv || v == x || v == w {

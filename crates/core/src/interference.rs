@@ -35,7 +35,10 @@ pub(crate) fn crossing(samples: &Samples) -> Option<Finding> {
             let neighbours = apart <= 2 || apart >= last - 1;
             if !neighbours && sides_cross(&profile[i..=i + 1], &profile[other..=other + 1]) {
                 let (theta, second) = (samples.theta[i.min(other)], samples.theta[i.max(other)]);
-                return Some(Finding { places: vec![theta, second], ..finding(FindingKind::SelfCrossing, theta, 0.0, 0.0, None) });
+                return Some(Finding {
+                    places: vec![theta, second],
+                    ..finding(FindingKind::SelfCrossing, theta, 0.0, 0.0, None)
+                });
             }
         }
     }
@@ -90,7 +93,8 @@ pub(crate) fn arm_cut(cam: &Cam, samples: &Samples) -> Option<Finding> {
         }
     }
     let (depth, theta) = worst;
-    (depth > SHALLOWEST_CUT * cam.follower.base_radius).then(|| finding(FindingKind::ArmCutsCam, theta, depth, 0.0, None))
+    (depth > SHALLOWEST_CUT * cam.follower.base_radius)
+        .then(|| finding(FindingKind::ArmCutsCam, theta, depth, 0.0, None))
 }
 
 /// Where the arm from `start` along `along` last leaves the circle of radius `reach`; its end when that lies inside.

@@ -55,6 +55,6 @@ pub use follower::{
 };
 pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
-pub use program::{CLOSING_TOLERANCE, MAX_SEGMENTS, Joint, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
+pub use program::{CLOSING_TOLERANCE, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
 pub use sizing::{balanced_eccentricity, smallest_base_radius};
 pub use svaj::Svaj;

@@ -178,7 +178,8 @@ impl Program {
     /// A difference is a jump when it is more than rounding beside the greatest value of its derivative in the program.
     #[must_use]
     pub fn classified_joints(&self) -> Vec<Joint> {
-        let scales: [f64; 4] = std::array::from_fn(|order| self.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max));
+        let scales: [f64; 4] =
+            std::array::from_fn(|order| self.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max));
         let classify = |(stretch, before, after): (&Stretch, Svaj, Svaj)| {
             // What a program may leave open at its end is no jump of s.
             let left_open = [CLOSING_TOLERANCE, 0.0, 0.0, 0.0];
@@ -316,7 +317,8 @@ mod tests {
 
     #[test]
     fn a_joint_belongs_to_the_segment_on_its_right() {
-        let program = program(&[("constant-velocity", 90.0, 1.0), ("dwell", 90.0, 0.0), ("cycloidal", 180.0, -1.0)]).expect("joined");
+        let program = program(&[("constant-velocity", 90.0, 1.0), ("dwell", 90.0, 0.0), ("cycloidal", 180.0, -1.0)])
+            .expect("joined");
         let slope = 1.0 / 90_f64.to_radians();
         assert!((program.at(0.0).v - slope).abs() < 1e-15);
         assert!((program.at(TAU).v - slope).abs() < 1e-15 && (program.at(-1e-13).v - slope).abs() < 1e-15);
@@ -335,7 +337,8 @@ mod tests {
         assert!(segment == 0 && matches!(problem, ProgramProblem::BelowBase { .. }));
         let (segment, problem) = refusal(&[("dwell", 180.0, 1.0), ("cycloidal", 180.0, -1.0)]);
         assert!(segment == 0 && matches!(problem, ProgramProblem::DwellRises { .. }));
-        let (segment, problem) = refusal(&[("polynomial-5", 180.0, 1.0), ("dwell", 90.0, 0.0), ("polynomial-7", 90.0, -1.0)]);
+        let (segment, problem) =
+            refusal(&[("polynomial-5", 180.0, 1.0), ("dwell", 90.0, 0.0), ("polynomial-7", 90.0, -1.0)]);
         assert_eq!((segment, problem), (2, ProgramProblem::AdjacentPolynomials { next: 0 }), "neighbours across 0°");
     }
 

@@ -155,7 +155,11 @@ impl Samples {
         };
         let mut all = pairs(&self.theta[span.grid.clone()], &self.grid(quantity)[span.grid.clone()]);
         for (theta, value) in pairs(&self.own_theta[span.own.clone()], &self.own(quantity)[span.own.clone()]) {
-            let place = if all.last().is_none_or(|last| last.0 < theta) { all.len() } else { all.partition_point(|p| p.0 < theta) };
+            let place = if all.last().is_none_or(|last| last.0 < theta) {
+                all.len()
+            } else {
+                all.partition_point(|p| p.0 < theta)
+            };
             all.insert(place, (theta, value));
         }
         all
@@ -186,7 +190,11 @@ impl Samples {
         let starts_on_grid = first < after && self.theta[first] - stretch.from < SNAP;
         let parts = if after.saturating_sub(first) < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
         for i in usize::from(starts_on_grid)..=parts {
-            let theta = if i == parts { stretch.to } else { stretch.from + (stretch.to - stretch.from) * i as f64 / parts as f64 };
+            let theta = if i == parts {
+                stretch.to
+            } else {
+                stretch.from + (stretch.to - stretch.from) * i as f64 / parts as f64
+            };
             let (motion, contact) = look(theta);
             self.own_theta.push(theta);
             put(&mut self.own, cam, &motion, &contact);

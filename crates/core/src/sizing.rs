@@ -69,7 +69,10 @@ pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
 
 /// True when nothing but the motion itself is to blame.
 pub(crate) fn geometry_passes(cam: &Cam) -> bool {
-    Analysis::of(cam, LEAST_STEPS).findings.iter().all(|finding| matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase))
+    Analysis::of(cam, LEAST_STEPS)
+        .findings
+        .iter()
+        .all(|finding| matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase))
 }
 
 /// How far a base radius is from passing: positive when it fails, infinite when the geometry cannot be.

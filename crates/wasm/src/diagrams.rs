@@ -46,6 +46,9 @@ struct PageArea {
 #[wasm_bindgen]
 impl Lab {
     /// Draws a diagram of the current cam over the whole of a canvas; says where the plot is.
+    ///
+    /// # Errors
+    /// When there is no cam yet, no such diagram or style, or the canvas cannot be drawn on.
     #[wasm_bindgen(unchecked_return_type = "PlotArea")]
     pub fn draw(
         &self,
@@ -55,7 +58,8 @@ impl Lab {
     ) -> Result<JsValue, JsError> {
         let (diagram, style) = prepare(self.current()?, diagram, style)?;
         let context = context_of(&canvas)?;
-        let backend = CanvasBackend::with_canvas_object(canvas).ok_or_else(|| JsError::new("the canvas cannot be drawn on"))?;
+        let backend =
+            CanvasBackend::with_canvas_object(canvas).ok_or_else(|| JsError::new("the canvas cannot be drawn on"))?;
         let area = backend.into_drawing_area();
         let scale = 1.0 / f64::from(SUBPIXELS);
         context.save();
@@ -66,7 +70,8 @@ impl Lab {
                 // Refused only for lengths that are negative or not finite, which a style's are not.
                 let _ = context.set_line_dash(&lengths);
             };
-            levalab_chart::draw(&area, &diagram, &style, set_dash).map_err(|error| JsValue::from_str(&error.to_string()))
+            levalab_chart::draw(&area, &diagram, &style, set_dash)
+                .map_err(|error| JsValue::from_str(&error.to_string()))
         });
         context.restore();
         match drawn {
@@ -76,6 +81,9 @@ impl Lab {
     }
 
     /// The same diagram as SVG text.
+    ///
+    /// # Errors
+    /// When there is no cam yet, or no such diagram or style.
     pub fn svg(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,

@@ -43,6 +43,9 @@ impl Lab {
     }
 
     /// Checks and analyses a design. A good one becomes the current one; otherwise the last good one stays.
+    ///
+    /// # Errors
+    /// When the design is not a plain object.
     #[wasm_bindgen(unchecked_return_type = "Opened")]
     pub fn open(
         &mut self,
@@ -63,6 +66,9 @@ impl Lab {
     }
 
     /// The cures of each finding of the current cam, in their order. Slower than an analysis: for when the hand rests.
+    ///
+    /// # Errors
+    /// Never, for any current cam.
     #[wasm_bindgen(unchecked_return_type = "Cure[][]")]
     pub fn cures(&self, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
         object(&self.current.as_ref().map_or_else(Vec::new, |current| cures(current, language(words))))
@@ -71,9 +77,11 @@ impl Lab {
     /// A column of the current cam, `samples` + 1 values; empty when it does not apply.
     pub fn column(&self, #[wasm_bindgen(unchecked_param_type = "ColumnName")] name: &str) -> Vec<f64> {
         let wanted = Column::ALL.into_iter().find(|column| column.name() == name);
-        let values = self.current.as_ref().zip(wanted).and_then(|(current, wanted)| {
-            column(&current.design, &current.analysis, wanted)
-        });
+        let values = self
+            .current
+            .as_ref()
+            .zip(wanted)
+            .and_then(|(current, wanted)| column(&current.design, &current.analysis, wanted));
         values.unwrap_or_default()
     }
 

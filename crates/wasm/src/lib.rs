@@ -38,12 +38,18 @@ enum Read {
 }
 
 /// Everything that forms are built from.
+///
+/// # Errors
+/// Never: the lists are plain.
 #[wasm_bindgen(unchecked_return_type = "Catalogue")]
 pub fn catalogue() -> Result<JsValue, JsError> {
     object(&catalogue::Catalogue::new())
 }
 
 /// The design of a share link, given with or without its `#`.
+///
+/// # Errors
+/// Never: a link that does not open is an answer.
 #[wasm_bindgen(unchecked_return_type = "Read")]
 pub fn open_link(
     fragment: &str,
@@ -59,6 +65,9 @@ pub fn open_link(
 }
 
 /// A design from the object that a design file holds: checked, and in its canonical form.
+///
+/// # Errors
+/// When it is not a plain object.
 #[wasm_bindgen(unchecked_return_type = "Read")]
 pub fn read_design(
     design: JsValue,

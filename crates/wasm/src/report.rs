@@ -158,7 +158,11 @@ impl Verdict {
             limit: finding.limit,
             message: levalab_words::finding(language, design, finding),
         });
-        Self { level: level(report.level), headline: levalab_words::headline(language, report), findings: findings.collect() }
+        Self {
+            level: level(report.level),
+            headline: levalab_words::headline(language, report),
+            findings: findings.collect(),
+        }
     }
 }
 

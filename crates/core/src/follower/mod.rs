@@ -251,7 +251,8 @@ const PIVOT_DISTANCE: Parameter =
     Parameter { key: "pivot_distance", symbol: "m", quantity: Quantity::Length, default: None, optional: false };
 const PIVOT_ANGLE: Parameter =
     Parameter { key: "pivot_angle", symbol: "ψ", quantity: Quantity::Angle, default: Some(0.0), optional: true };
-const ARM: Parameter = Parameter { key: "arm", symbol: "A", quantity: Quantity::Length, default: None, optional: false };
+const ARM: Parameter =
+    Parameter { key: "arm", symbol: "A", quantity: Quantity::Length, default: None, optional: false };
 const FACE_OFFSET: Parameter =
     Parameter { key: "face_offset", symbol: "f", quantity: Quantity::Length, default: Some(0.0), optional: true };
 const FACE_ANGLE: Parameter =

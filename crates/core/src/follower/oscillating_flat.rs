@@ -1,6 +1,8 @@
 //! Flat face that swings about a fixed pivot, the face at offset f from it.
 
-use super::{Body, ContactKind, Element, FACE_OFFSET, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, positive};
+use super::{
+    Body, ContactKind, Element, FACE_OFFSET, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, positive,
+};
 use crate::{GeometryError, GeometryProblem};
 use std::f64::consts::FRAC_PI_2;
 

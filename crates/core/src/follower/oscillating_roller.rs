@@ -1,6 +1,8 @@
 //! Roller at the end of an arm that swings about a fixed pivot.
 
-use super::{ARM, Body, ContactKind, Element, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, ROLLER_RADIUS, positive};
+use super::{
+    ARM, Body, ContactKind, Element, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, ROLLER_RADIUS, positive,
+};
 use crate::{GeometryError, GeometryProblem};
 
 /// cos ξ₀ = (m² + A² − Rp²)/(2mA), ξ = ξ₀ + s, F = (m − A·e^(−iξ))·e^(iψ): the pivot at distance m and angle ψ, the arm

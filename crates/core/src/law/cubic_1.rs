@@ -1,4 +1,4 @@
-//! Cubic 1, the constant pulse: jerk of constant size, +24 and then also +24 with a step of acceleration at x = ½.
+//! Cubic 1, the constant pulse: the same jerk all along, and a step of acceleration from +12 to −12 at x = ½.
 
 use super::{ArgumentProblem, Arguments, Group, Law, Piece, Shape, halves};
 use crate::Curve;

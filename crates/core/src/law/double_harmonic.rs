@@ -10,8 +10,6 @@ pub const LAW: Law = Law { id: "double-harmonic", group: Group::Standard, parame
 fn pieces(arguments: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
     // Reversing x changes the sign of the second harmonic alone.
     let second = if arguments.falling { -0.125 } else { 0.125 };
-    let curve = Curve::polynomial(&[0.5 - second])
-        .with_wave(-0.5, PI, FRAC_PI_2)
-        .with_wave(second, TAU, FRAC_PI_2);
+    let curve = Curve::polynomial(&[0.5 - second]).with_wave(-0.5, PI, FRAC_PI_2).with_wave(second, TAU, FRAC_PI_2);
     Ok(single(curve))
 }

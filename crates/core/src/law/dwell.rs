@@ -4,4 +4,3 @@ use super::{Group, Law, Shape};
 
 /// y = 0.
 pub const LAW: Law = Law { id: "dwell", group: Group::Basic, parameters: &[], shape: Shape::Rest };
-

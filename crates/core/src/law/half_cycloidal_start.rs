@@ -5,7 +5,8 @@ use crate::Curve;
 use std::f64::consts::{FRAC_1_PI, PI};
 
 /// y = x − sin(πx)/π.
-pub const LAW: Law = Law { id: "half-cycloidal-start", group: Group::Half, parameters: &[], shape: Shape::Unit(pieces) };
+pub const LAW: Law =
+    Law { id: "half-cycloidal-start", group: Group::Half, parameters: &[], shape: Shape::Unit(pieces) };
 
 fn pieces(_: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
     Ok(single(Curve::polynomial(&[0.0, 1.0]).with_wave(-FRAC_1_PI, PI, 0.0)))

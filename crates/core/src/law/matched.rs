@@ -45,10 +45,9 @@ mod tests {
     #[test]
     fn between_rests_it_is_the_3_4_5_and_the_4_5_6_7() {
         let (start, end) = (Svaj::default(), Svaj::new(1.0, 0.0, 0.0, 0.0));
-        for (orders, expect) in [
-            (3, vec![0.0, 0.0, 0.0, 10.0, -15.0, 6.0]),
-            (4, vec![0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0]),
-        ] {
+        for (orders, expect) in
+            [(3, vec![0.0, 0.0, 0.0, 10.0, -15.0, 6.0]), (4, vec![0.0, 0.0, 0.0, 0.0, 35.0, -84.0, 70.0, -20.0])]
+        {
             let found = matched_polynomial(orders, start, end);
             for (f, e) in found.coefficients().iter().zip(&expect) {
                 assert!((f - e).abs() < 1e-11, "{found:?}");

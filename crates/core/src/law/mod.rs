@@ -317,7 +317,7 @@ mod tests {
 
     #[test]
     fn half_laws_rest_at_one_end_and_run_on_at_the_other() {
-                for (id, start, end) in [
+        for (id, start, end) in [
             ("half-harmonic-start", 0.0, FRAC_PI_2),
             ("half-harmonic-end", FRAC_PI_2, 0.0),
             ("half-cycloidal-start", 0.0, 2.0),

@@ -3,5 +3,4 @@
 use super::{Group, Law, Shape};
 
 /// s = Σ cₖ·xᵏ with 8 coefficients, half of them fixed by each neighbour.
-pub const LAW: Law =
-    Law { id: "polynomial-7", group: Group::Matched, parameters: &[], shape: Shape::Matched(4) };
+pub const LAW: Law = Law { id: "polynomial-7", group: Group::Matched, parameters: &[], shape: Shape::Matched(4) };

@@ -78,7 +78,11 @@ pub(super) fn sine_constant_cosine(b: f64, c: f64) -> Vec<Piece> {
 fn sine(span: f64, from: f64) -> Curve {
     let frequency = PI / span;
     let curve = Curve::polynomial(&[0.0, 0.0]);
-    if span < NARROWEST_ZONE { curve } else { curve.with_wave(-1.0 / (frequency * frequency), frequency, -frequency * from) }
+    if span < NARROWEST_ZONE {
+        curve
+    } else {
+        curve.with_wave(-1.0 / (frequency * frequency), frequency, -frequency * from)
+    }
 }
 
 fn add_line(shape: Curve, constant: f64, slope: f64) -> Curve {
