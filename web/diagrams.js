@@ -181,6 +181,11 @@ export function mount(root, context) {
     const { report, perSecond } = store.state;
     const range = report.summary[plot.diagram];
     if (!range) return t("diagram.alternative.none", { name, letter });
+    // Where the profile turns hollow, ρ goes through infinity: what counts is where it is sharpest.
+    if (plot.diagram === "rho" && report.least_convex && (range.min === null || range.max === null)) {
+      const { value, at } = report.least_convex;
+      return t("diagram.alternative.rho", { name, letter, value: format.quantity(value, { trim: true, unit }), at: format.angle(at) });
+    }
     const factor = scaleOf(plot, report, perSecond);
     /** @param {number | null} value */
     const say = (value) => (value === null ? "∞" : format.quantity(value * factor, { trim: true, unit }));

@@ -10,6 +10,9 @@ import { factor, scrub, tidy } from "./scrub.js";
 
 let sessions = 0;
 
+/** Characters of what was typed that a complaint repeats. */
+const REPEATED = 24;
+
 /** Figures of a number at rest; in use it shows all it has. */
 const AT_REST = 7;
 
@@ -169,7 +172,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
       show(value);
     }
     const wrong = state.error !== null && state.error.path === path() ? state.error.message : null;
-    tell(pending ? t(`number.${pending.problem}`, { text: pending.text }) : wrong);
+    tell(pending ? t(`number.${pending.problem}`, { text: abridged(pending.text) }) : wrong);
   }
 
   return {
@@ -204,6 +207,11 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 }
 
 /** @typedef {ReturnType<typeof createNumberField>} NumberField */
+
+/** @param {string} text */
+function abridged(text) {
+  return text.length > REPEATED ? `${text.slice(0, REPEATED)}…` : text;
+}
 
 /**
  * A step of lengths that suits the cam's size: 1 for a base radius of 35, 0.01 for 0.2.

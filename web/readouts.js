@@ -12,7 +12,7 @@ const READABLE = 80;
 const SIGNIFICANT = 4;
 const MOST_DIGITS = 9;
 /** Width of a letter of a unit, in figures. */
-const UNIT = 0.85;
+const UNIT = 0.9;
 
 /**
  * @typedef {object} Reading

@@ -103,8 +103,9 @@ export function createSegmentRow(context, actions) {
       ...extras.map(({ key, field }) => {
         field.speak();
         if (field.label) field.label.title = t(`parameter.${key}.hint`);
-        return h("div", { class: "field" }, field.label, field.input, field.error);
+        return h("div", { class: "field" }, field.label, field.input);
       }),
+      ...extras.map(({ field }) => field.error),
     );
     root.classList.toggle("still", next !== undefined && !next.moves);
     rise.input.disabled = next !== undefined && !next.moves;

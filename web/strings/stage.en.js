@@ -59,6 +59,7 @@ export const stageEn = {
   "diagram.name.pressure_angle": "pressure angle",
   "diagram.name.rho": "radius of curvature",
   "diagram.alternative": "{name} {letter} against θ: from {min} to {max}; least at {minAt}, greatest at {maxAt}.",
+  "diagram.alternative.rho": "{name} {letter} against θ: {value} where the profile is sharpest, at {at}; infinite where it is straight.",
   "diagram.alternative.none": "{name} {letter} against θ: does not apply to this follower.",
   "diagram.note.pressure_angle":
     "φ is the angle between the push of the cam, along the contact normal, and the way the follower moves. Beyond the limit the push goes into the guide instead of the lift.",

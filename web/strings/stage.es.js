@@ -59,6 +59,7 @@ export const stageEs = {
   "diagram.name.pressure_angle": "ángulo de presión",
   "diagram.name.rho": "radio de curvatura",
   "diagram.alternative": "{name} {letter} en función de θ: de {min} a {max}; mínimo en {minAt}, máximo en {maxAt}.",
+  "diagram.alternative.rho": "{name} {letter} en función de θ: {value} donde el perfil es más agudo, en {at}; infinito donde es recto.",
   "diagram.alternative.none": "{name} {letter} en función de θ: no procede con este seguidor.",
   "diagram.note.pressure_angle":
     "φ es el ángulo entre el empuje de la leva, que va según la normal en el contacto, y la dirección en que se mueve el seguidor. Más allá del límite, el empuje carga la guía en vez de elevar.",
