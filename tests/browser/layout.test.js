@@ -1,0 +1,172 @@
+// Room: the whole job without scrolling on a laptop, one column on a phone, nothing cut off, the verdict always in sight.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { LINKS, baseRadiusCure, becomes, en, field, frames, level, openStill, verdict } from "./user.js";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const LAPTOP = { width: 1366, height: 768 };
+const SCREEN = { width: 1920, height: 1080 };
+const PHONE = { width: 390, height: 844 };
+
+/** @param {Page} page */
+const overflow = (page) =>
+  page.evaluate(() => {
+    const { scrollWidth, scrollHeight } = document.scrollingElement ?? document.documentElement;
+    return { across: Math.max(0, Math.max(scrollWidth, document.body.scrollWidth) - innerWidth), down: Math.max(0, scrollHeight - innerHeight) };
+  });
+
+/**
+ * What can be used or read but lies outside the window, and outside of anything that could be scrolled.
+ * @param {Page} page
+ * @param {boolean} tall  whether the page itself may be scrolled
+ */
+const outside = (page, tall) =>
+  page.evaluate((tall) => {
+    const name = (/** @type {Element} */ node) => `${node.tagName.toLowerCase()} ${node.id || node.getAttribute("aria-label") || node.textContent?.trim().slice(0, 30)}`;
+    const scrolled = (/** @type {Element} */ node) => {
+      for (let parent = node.parentElement; parent && parent !== document.body; parent = parent.parentElement) {
+        if (/auto|scroll/.test(getComputedStyle(parent).overflowY) && parent.scrollHeight > parent.clientHeight) return true;
+      }
+      return false;
+    };
+    return [...document.querySelectorAll("button, input, select, canvas, output, h1, .headline, figcaption")]
+      .filter((node) => node.checkVisibility({ visibilityProperty: true }) && !node.closest(".unseen, dialog, [popover], details:not([open])") && !node.classList.contains("unseen"))
+      .filter((node) => {
+        const { left, right, top, bottom } = node.getBoundingClientRect();
+        if (left < -1 || right > innerWidth + 1) return true;
+        return !tall && !scrolled(node) && (top < -1 || bottom > innerHeight + 1);
+      })
+      .map(name);
+  }, tall);
+
+/** Buttons, labels and captions whose own text does not fit into them; those with a sign instead are left out. @param {Page} page */
+const cutOff = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("button, label, legend, figcaption, output, .headline, .unit, summary, #verdict p")]
+      .filter((node) => node.checkVisibility() && !node.classList.contains("unseen") && !node.querySelector(".unseen") && getComputedStyle(node, "::before").content === "none")
+      .filter((node) => node.clientWidth > 0 && node.scrollWidth > node.clientWidth + 1 && getComputedStyle(node).overflowX !== "visible")
+      .map((node) => node.textContent?.trim() || node.getAttribute("aria-label")),
+  );
+
+/** Sections that lie over one another. @param {Page} page */
+const overlapping = (page) =>
+  page.evaluate(() => {
+    const parts = [...document.querySelectorAll("#header, main > section")].filter((node) => node.checkVisibility());
+    return parts.flatMap((one, i) =>
+      parts.slice(i + 1).flatMap((other) => {
+        const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
+        const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+        const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+        return across > 1 && down > 1 ? [`${one.id} and ${other.id}`] : [];
+      }),
+    );
+  });
+
+/** Whether the light and its sentence are in the window. @param {Page} page */
+const verdictInSight = (page) =>
+  page.evaluate(() => {
+    const line = document.querySelector("#verdict p")?.getBoundingClientRect();
+    const middle = line && document.elementFromPoint(line.left + Math.min(30, line.width / 2), line.top + line.height / 2);
+    return Boolean(line && line.top >= 0 && line.bottom <= innerHeight && line.height > 8 && middle?.closest("#verdict"));
+  });
+
+for (const [viewport, locale, theme] of /** @type {const} */ ([
+  [LAPTOP, "en-GB", "light"],
+  [LAPTOP, "es-ES", "dark"],
+  [SCREEN, "es-ES", "light"],
+])) {
+  test(`${viewport.width} × ${viewport.height}, ${locale}: everything is in sight without scrolling`, async (t) => {
+    const { page } = await openStill(t, { viewport, locale, colorScheme: theme });
+    for (const link of ["", LINKS.R1, LINKS["2RO"]]) {
+      await page.evaluate((link) => void (link && (location.hash = link)), link);
+      if (link === LINKS.R1) await becomes(() => baseRadiusCure(page).count(), 1);
+      await frames(page);
+      assert.deepEqual(await overflow(page), { across: 0, down: 0 }, link);
+      assert.deepEqual(await outside(page, false), [], link);
+      assert.deepEqual(await cutOff(page), [], link);
+      assert.deepEqual(await overlapping(page), [], link);
+      assert(await verdictInSight(page), link);
+    }
+  });
+
+  test(`${viewport.width} × ${viewport.height}, ${locale}: the design panel of the opening example needs no scrolling`, async (t) => {
+    const { page } = await openStill(t, { viewport, locale, colorScheme: theme });
+    const hidden = await page.locator("#design").evaluate(({ scrollHeight, clientHeight }) => scrollHeight - clientHeight);
+    assert(hidden <= 0, `${hidden} pixels of the panel are hidden`);
+  });
+}
+
+test("on a laptop the mechanism and each diagram have room", async (t) => {
+  const { page } = await openStill(t, { viewport: LAPTOP });
+  const sizes = await page.evaluate(() => [...document.querySelectorAll("canvas")].filter((canvas) => canvas.checkVisibility()).map(({ clientWidth, clientHeight }) => [clientWidth, clientHeight]));
+  assert(sizes.length >= 5, "canvases are missing");
+  for (const [width, height] of sizes) assert(width >= 300 && height >= 60, `a canvas of ${width} × ${height}`);
+});
+
+test("the canvases are sharp at two pixels for one", async (t) => {
+  const { page } = await openStill(t, { viewport: LAPTOP, deviceScaleFactor: 2 });
+  const ratios = await page.evaluate(() => [...document.querySelectorAll("canvas")].filter((canvas) => canvas.checkVisibility()).map(({ width, clientWidth }) => width / clientWidth));
+  for (const ratio of ratios) assert(Math.abs(ratio - 2) < 0.02, `${ratio} pixels for one`);
+});
+
+test("on a laptop a wrong number and its explanation fit too", async (t) => {
+  const { page } = await openStill(t, { viewport: LAPTOP, locale: "es-ES" });
+  await field(page, "base_radius").fill("-5");
+  await field(page, "roller_radius").fill("1.2.3");
+  await becomes(() => level(page), "stopped");
+  assert.deepEqual(await overflow(page), { across: 0, down: 0 });
+  assert.deepEqual(await outside(page, false), []);
+  assert(await verdictInSight(page));
+});
+
+for (const locale of ["en-GB", "es-ES"]) {
+  test(`phone, ${locale}: one column, the mechanism and the verdict stay while the page scrolls`, async (t) => {
+    const { page } = await openStill(t, { viewport: PHONE, locale, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
+    for (const link of ["", LINKS.R1]) {
+      await page.evaluate((link) => void (link && (location.hash = link)), link);
+      if (link) await becomes(() => baseRadiusCure(page).count(), 1);
+      await frames(page);
+      assert.equal((await overflow(page)).across, 0, link);
+      assert((await overflow(page)).down > 200, "it does not scroll");
+      assert.deepEqual(await outside(page, true), [], link);
+      assert.deepEqual(await cutOff(page), [], link);
+      for (const share of [0, 0.4, 1]) {
+        await page.evaluate((share) => scrollTo(0, share * document.documentElement.scrollHeight), share);
+        await frames(page);
+        const box = await page.locator("#mechanism canvas").boundingBox();
+        assert(box && box.y >= -1 && box.y + box.height < 0.75 * PHONE.height, `the mechanism is at ${box?.y} at ${share} of the page`);
+        assert(await verdictInSight(page), `the verdict is out of sight at ${share} of the page`);
+      }
+      await page.evaluate(() => scrollTo(0, 0));
+    }
+  });
+}
+
+test("on a phone every control is large enough for a finger", async (t) => {
+  const { page } = await openStill(t, { viewport: PHONE, hasTouch: true, isMobile: true });
+  const small = await page.evaluate(() =>
+    [...document.querySelectorAll("button, input:not(.unseen), select, summary")]
+      .filter((node) => node.checkVisibility() && !node.classList.contains("unseen"))
+      .map((node) => ({ name: node.id || node.getAttribute("aria-label") || node.textContent, height: node.getBoundingClientRect().height, width: node.getBoundingClientRect().width }))
+      .filter(({ height, width }) => height < 24 || width < 24)
+      .map(({ name, height, width }) => `${name}: ${width.toFixed(0)} × ${height.toFixed(0)}`),
+  );
+  assert.deepEqual(small, []);
+});
+
+test("the projector view hides the design, keeps mechanism, diagrams and verdict, and enlarges the type", async (t) => {
+  const { page } = await openStill(t, { viewport: SCREEN, fragment: LINKS.R1 });
+  const size = () => verdict(page).evaluate((node) => parseFloat(getComputedStyle(node).fontSize));
+  const before = await size();
+  await page.keyboard.press("p");
+  await page.getByRole("group", { name: en("design.program") }).waitFor({ state: "hidden" });
+  assert((await size()) >= 1.4 * before);
+  await frames(page, 3);
+  assert.deepEqual(await overflow(page), { across: 0, down: 0 });
+  assert.deepEqual(await outside(page, false), []);
+  assert.deepEqual(await overlapping(page), []);
+  assert(await verdictInSight(page));
+  await page.keyboard.press("p");
+  await page.getByRole("group", { name: en("design.program") }).waitFor();
+});
