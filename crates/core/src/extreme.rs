@@ -52,11 +52,9 @@ pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extr
     if high - low <= ROUNDING * high.abs().max(low.abs()) {
         return Extremes { min: low, min_at: 0.0, max: high, max_at: 0.0 };
     }
-    let above = |limit: f64| (0..of_each.len()).filter(|&k| of_each[k].1 >= limit).collect::<Vec<usize>>();
-    let below = |limit: f64| (0..of_each.len()).filter(|&k| of_each[k].0 <= limit).collect::<Vec<usize>>();
-    let slack = SLACK * (high - low);
-    let (max, max_at) = greatest(cam, samples, quantity, 1.0, (low, high), &above(high - slack));
-    let (min, min_at) = greatest(cam, samples, quantity, -1.0, (-high, -low), &below(low + slack));
+    let upside_down: Vec<(f64, f64)> = of_each.iter().map(|&(low, high)| (-high, -low)).collect();
+    let (max, max_at) = greatest(cam, samples, quantity, 1.0, (low, high), &of_each);
+    let (min, min_at) = greatest(cam, samples, quantity, -1.0, (-high, -low), &upside_down);
     Extremes { min: -min, min_at, max, max_at }
 }
 
@@ -89,22 +87,30 @@ struct Bump {
     promise: f64,
 }
 
-/// The greatest value of `sign`·quantity, and where; `low` and `high` bound its samples, and only `worthy` stretches come near
-/// `high`.
+/// The greatest value of `sign`·quantity, and where; `low` and `high` bound all its samples, `of_each` those of each stretch.
 fn greatest(
     cam: &Cam,
     samples: &Samples,
     quantity: Quantity,
     sign: f64,
     (low, high): (f64, f64),
-    worthy: &[usize],
+    of_each: &[(f64, f64)],
 ) -> (f64, f64) {
     let range = high - low;
     let (worth_a_look, as_good) = (high - SLACK * range, high - ROUNDING * range);
     let mut best: Option<(f64, f64)> = None;
     let mut bumps: Vec<Bump> = Vec::new();
-    for &stretch in worthy {
-        let span = &samples.spans[stretch];
+    for (stretch, (span, &(lowest, highest))) in samples.spans.iter().zip(of_each).enumerate() {
+        if highest < worth_a_look {
+            continue;
+        }
+        if highest - lowest <= ROUNDING * range {
+            // Level, as in a dwell: any place is as good as the first.
+            if highest >= as_good {
+                best = best.or(Some((highest, cam.program.stretches()[stretch].from)));
+            }
+            continue;
+        }
         let along = samples.along(span, quantity);
         let mut before = (f64::NAN, f64::NEG_INFINITY);
         for (i, &(theta, value)) in along.iter().enumerate() {

@@ -46,7 +46,7 @@ impl Quantity {
             Self::Bend => contact.bend,
             Self::Reach => contact.reach,
             Self::Lead => contact.lead,
-            Self::Radius => contact.point.norm(),
+            Self::Radius => contact.point.norm_sqr().sqrt(),
         }
     }
 
@@ -140,7 +140,7 @@ impl Samples {
 
     /// Adds the distance of the contact from the cam's centre, which only a cam beside a pivot needs.
     pub fn measure_radius(&mut self, cam: &Cam) {
-        self.grid[Quantity::Radius as usize] = self.profile.iter().map(|point| point.norm()).collect();
+        self.grid[Quantity::Radius as usize] = self.profile.iter().map(|point| point.norm_sqr().sqrt()).collect();
         let stretches = cam.program.stretches().iter().zip(&self.spans);
         let own = stretches.flat_map(|(stretch, span)| {
             self.own_theta[span.own.clone()].iter().map(move |&theta| Quantity::Radius.at(cam, stretch, theta))

@@ -73,11 +73,10 @@ impl Follower {
         let sigma = self.rotation.sigma();
         let (trace, first, second) = self.body.carry(centre, motion);
         let w = trace + times_i(first) * sigma;
-        let size = w.norm_sqr().max(STILL);
-        let speed = size.sqrt();
-        let normal = w / speed;
+        let per_speed = 1.0 / w.norm_sqr().max(STILL).sqrt();
+        let normal = w * per_speed;
         let (p1, p2) = (times_i(w) * -sigma, second - times_i(first) * (2.0 * sigma) - trace);
-        let bend = -sigma * cross(p1, p2) / (size * speed);
+        let bend = -sigma * cross(p1, p2) * per_speed * per_speed * per_speed;
         let point = trace - normal * radius;
         let (lever, velocity) = self.body.lever_and_velocity(trace, point, motion.v);
         Contact {
