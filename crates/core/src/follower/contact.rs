@@ -175,5 +175,7 @@ fn cross(a: Point, b: Point) -> f64 {
 /// Angle from `a` to `b`, counter-clockwise, in (−π, π].
 #[inline]
 fn angle_between(a: Point, b: Point) -> f64 {
-    cross(a, b).atan2(dot(a, b))
+    let (sine, cosine) = (cross(a, b), dot(a, b));
+    // Nearly every contact is within a right angle, where the plain arctangent is the quicker.
+    if cosine > 0.0 { (sine / cosine).atan() } else { sine.atan2(cosine) }
 }
