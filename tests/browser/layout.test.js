@@ -1,7 +1,7 @@
 // Room: the whole job without scrolling on a laptop, one column on a phone, nothing cut off, the verdict always in sight.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { LINKS, baseRadiusCure, becomes, en, field, frames, level, openStill, verdict } from "./user.js";
+import { LINKS, baseRadiusCure, becomes, en, field, frames, level, openStill, unfoldFindings, verdict } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -125,7 +125,7 @@ for (const locale of ["en-GB", "es-ES"]) {
     const { page } = await openStill(t, { viewport: PHONE, locale, hasTouch: true, isMobile: true, deviceScaleFactor: 2 });
     for (const link of ["", LINKS.R1]) {
       await page.evaluate((link) => void (link && (location.hash = link)), link);
-      if (link) await becomes(() => baseRadiusCure(page).count(), 1);
+      if (link) await becomes(() => level(page), "unacceptable");
       await frames(page);
       assert.equal((await overflow(page)).across, 0, link);
       assert((await overflow(page)).down > 200, "it does not scroll");
@@ -140,6 +140,11 @@ for (const locale of ["en-GB", "es-ES"]) {
       }
       await page.evaluate(() => scrollTo(0, 0));
     }
+    await unfoldFindings(page);
+    await becomes(() => baseRadiusCure(page).count(), 1);
+    assert.equal((await overflow(page)).across, 0, "findings");
+    assert.deepEqual(await outside(page, true), [], "findings");
+    assert.deepEqual(await cutOff(page), [], "findings");
   });
 }
 

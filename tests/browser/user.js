@@ -98,12 +98,12 @@ export const literal = (text) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, "\\$&");
 /** @param {Page} page @param {string} parameter key in the design file, or `speed` */
 export const field = (page, parameter) => page.locator(`#field-${parameter}`);
 
-/** @param {Page} page @param {number} number from 1 */
-export const law = (page, number) => page.getByLabel(en("segments.law.of", { number }), { exact: true });
-/** @param {Page} page @param {number} number */
-export const beta = (page, number) => page.getByLabel(en("segments.beta.of", { number }), { exact: true });
-/** @param {Page} page @param {number} number */
-export const rise = (page, number) => page.getByLabel(en("segments.rise.of", { number }), { exact: true });
+/** @param {Page} page @param {number} number from 1 @param {Words} [say] */
+export const law = (page, number, say = en) => page.getByLabel(say("segments.law.of", { number }), { exact: true });
+/** @param {Page} page @param {number} number @param {Words} [say] */
+export const beta = (page, number, say = en) => page.getByLabel(say("segments.beta.of", { number }), { exact: true });
+/** @param {Page} page @param {number} number @param {Words} [say] */
+export const rise = (page, number, say = en) => page.getByLabel(say("segments.rise.of", { number }), { exact: true });
 
 /**
  * The program as it is read in the table.
@@ -143,6 +143,15 @@ export const level = (page) => verdict(page).getAttribute("data-level");
 
 /** @param {Page} page */
 export const findings = (page) => verdict(page).getByRole("list").getByRole("listitem");
+
+/** Unfolds the findings where there is no room for them at first. @param {Page} page */
+export async function unfoldFindings(page) {
+  const folded = verdict(page).locator('button[aria-expanded="false"]');
+  if (await folded.isVisible()) await folded.click();
+}
+
+/** What is said to those who do not see it. @param {Page} page */
+export const announced = (page) => page.locator("#announcer").textContent();
 
 /** The smallest base radius that keeps the pressure angle, offered beside its finding. @param {Page} page */
 export const baseRadiusCure = (page) => findings(page).getByRole("button", { name: /R\s?b ≥/ });

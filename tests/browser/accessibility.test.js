@@ -1,0 +1,171 @@
+// For everyone: axe finds nothing in any state, everything has a name, and what is drawn is also said.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import path from "node:path";
+import { test } from "node:test";
+import { root } from "./browser.js";
+import {
+  LINKS, announced, baseRadiusCure, becomes, beta, diagram, en, es, eventually, field, findings, frames, inkOf, level, mechanism, openExample, openStill, unfoldFindings,
+} from "./user.js";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const AXE = await readFile(path.join(root, "node_modules/axe-core/axe.min.js"), "utf8");
+
+const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
+
+/** @param {Page} page @param {string} state */
+async function assertClean(page, state) {
+  await frames(page, 3);
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(AXE);
+  const found = await page.evaluate(async (RULES) => {
+    // Transitions of opacity would be measured half way.
+    await Promise.all(document.getAnimations().map((animation) => animation.finished.catch(() => undefined)));
+    const { violations } = await /** @type {typeof window & { axe: typeof import("axe-core") }} */ (window).axe.run(document, { runOnly: RULES });
+    return violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target} ${failureSummary?.split("\n")[1]?.trim()}`));
+  }, RULES);
+  assert.deepEqual(found, [], state);
+}
+
+test("axe finds nothing on the page as it opens, with findings, with an error, after a damaged link", async (t) => {
+  const { page } = await openStill(t);
+  await assertClean(page, "start");
+  await openExample(page, "R1");
+  await becomes(() => baseRadiusCure(page).count(), 1);
+  await assertClean(page, "not acceptable");
+  await field(page, "base_radius").fill("-5");
+  await becomes(() => level(page), "stopped");
+  await beta(page, 1).fill("1.2.3");
+  await assertClean(page, "error");
+  await page.evaluate(() => void (location.hash = "#1.damaged.abc"));
+  await page.getByRole("alert").getByRole("textbox").waitFor();
+  await assertClean(page, "damaged link");
+});
+
+test("axe finds nothing in the menus, the help, the tabs and the layers", async (t) => {
+  const { page } = await openStill(t);
+  await page.getByRole("button", { name: en("segments.actions", { number: 3 }), exact: true }).click();
+  await assertClean(page, "menu of a segment");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: en("header.files"), exact: true }).click();
+  await assertClean(page, "menu of files");
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: en("header.help"), exact: true }).click();
+  await assertClean(page, "help");
+  await page.keyboard.press("Escape");
+  await page.locator("#mechanism summary").click();
+  await page.getByRole("radio", { name: /ρ/ }).check({ force: true });
+  await assertClean(page, "layers and ρ");
+});
+
+test("axe finds nothing in the dark, in Spanish, right or wrong", async (t) => {
+  const { page } = await openStill(t, { colorScheme: "dark", locale: "es-ES", fragment: LINKS.R1 });
+  await becomes(() => baseRadiusCure(page).count(), 1);
+  await assertClean(page, "dark");
+  await field(page, "base_radius").fill("x");
+  await beta(page, 1, es).fill("400");
+  await becomes(() => level(page), "stopped");
+  await assertClean(page, "dark, wrong");
+  await page.getByRole("button", { name: es("header.help"), exact: true }).click();
+  await assertClean(page, "dark, help");
+});
+
+test("axe finds nothing on a phone and on a projector", async (t) => {
+  const phone = await openStill(t, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, fragment: LINKS.R1 });
+  await assertClean(phone.page, "phone");
+  await unfoldFindings(phone.page);
+  await becomes(() => baseRadiusCure(phone.page).count(), 1);
+  await assertClean(phone.page, "phone, findings");
+  await phone.page.setViewportSize({ width: 1920, height: 1080 });
+  await phone.page.keyboard.press("p");
+  await assertClean(phone.page, "projector");
+});
+
+test("every control and every canvas has a name", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  await becomes(() => baseRadiusCure(page).count(), 1);
+  await page.locator("#mechanism summary").click();
+  const devtools = await page.context().newCDPSession(page);
+  const { nodes } = await devtools.send("Accessibility.getFullAXTree");
+  const named = /^(button|textbox|searchbox|spinbutton|slider|combobox|listbox|radio|checkbox|link|menuitem|tab|image|img|canvas|dialog|group|region|list)$/i;
+  const nameless = nodes
+    .filter(({ ignored, role, name }) => !ignored && named.test(role?.value ?? "") && !name?.value?.trim())
+    .map(({ role, properties }) => `${role?.value} ${JSON.stringify(properties?.map((property) => property.name))}`);
+  assert.deepEqual(nameless.filter((found) => !/^(list|group|region) /.test(found)), []);
+  assert(nodes.filter(({ role }) => role?.value === "combobox").length >= 5, "the tree has no controls");
+  const canvases = await page.locator("canvas").evaluateAll((all) => all.filter((canvas) => canvas.checkVisibility()).map((canvas) => canvas.getAttribute("aria-label") ?? ""));
+  assert(canvases.length >= 6);
+  for (const name of canvases) assert(name.length > 10, `a canvas is called "${name}"`);
+  assert.equal(new Set(canvases).size, canvases.length, "two canvases have the same name");
+});
+
+test("what the diagrams show is said in numbers, with their units and places", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const said = async (/** @type {import("./user.js").Diagram} */ name) => (await diagram(page, name).getAttribute("aria-label")) ?? "";
+  assert.match(await said("s"), /from 0\smm to 10\smm/);
+  assert.match(await said("v"), /from −[\d.]+\smm\/rad to [\d.]+\smm\/rad; least at [\d.]+°, greatest at [\d.]+°/);
+  assert.match(await said("a"), /mm\/rad²/);
+  assert.match(await said("j"), /mm\/rad³/);
+  await page.getByRole("radio", { name: /φ/ }).check({ force: true });
+  await becomes(() => said("pressure_angle"), /from −28\.18° to 24\.68°/);
+  await page.getByRole("radio", { name: /SVAJ/ }).check({ force: true });
+  await page.getByRole("radio", { name: new RegExp(en("diagram.per.second")) }).check({ force: true });
+  await field(page, "speed").fill("2");
+  await eventually(() => said("v"), (text) => assert.match(text, /mm\/s\b/));
+  assert.match((await mechanism(page).getAttribute("aria-label")) ?? "", /translating roller.*35\smm.*45\smm/);
+  await openExample(page, "2RO");
+  await becomes(async () => (await mechanism(page).getAttribute("aria-label")) ?? "", /oscillating roller.*40\smm/);
+});
+
+test("a curvature that goes to infinity is said with the numbers that there are", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  await page.getByRole("radio", { name: /ρ/ }).check({ force: true });
+  const said = (await diagram(page, "rho").getAttribute("aria-label")) ?? "";
+  assert.doesNotMatch(said, /from ∞ to ∞/);
+  assert.match(said, /\d\sm\b/, "no radius is told");
+});
+
+test("a changed verdict is announced once the hands are still", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  await becomes(() => baseRadiusCure(page).count(), 1);
+  await baseRadiusCure(page).first().click();
+  await becomes(() => announced(page), /^Not for high speeds/);
+});
+
+test("landmarks and headings lead through the page", async (t) => {
+  const { page } = await openStill(t);
+  assert.equal(await page.getByRole("banner").count(), 1);
+  assert.equal(await page.getByRole("main").count(), 1);
+  assert.equal(await page.getByRole("heading", { level: 1 }).count(), 1);
+  for (const name of [en("app.design"), en("stage.title"), en("transport.title"), en("diagram.title"), en("readout.title"), en("app.verdict")]) {
+    assert.equal(await page.getByRole("region", { name, exact: true }).count(), 1, name);
+  }
+});
+
+test("no quantity is known by its colour alone: every curve has its own dash", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const gaps = [];
+  for (const [name, colour] of /** @type {const} */ ([["s", "s"], ["v", "v"], ["a", "a"], ["j", "j"]])) {
+    const { columns } = await inkOf(diagram(page, name), colour);
+    const first = columns.findIndex(Boolean);
+    const last = columns.findLastIndex(Boolean);
+    gaps.push(columns.slice(first, last).filter((column) => !column).length);
+  }
+  const [full, ...dashed] = gaps;
+  for (const count of dashed) assert(count > full + 10, `dashes are missing: ${gaps}`);
+});
+
+test("red, amber and green come with a shape and a word", async (t) => {
+  const { page } = await openStill(t);
+  const shapes = new Set();
+  const words = new Set();
+  for (const id of ["R1", "9RT", "2RO"]) {
+    await openExample(page, id);
+    await frames(page, 3);
+    shapes.add(await page.locator("#verdict svg path").first().getAttribute("d"));
+    words.add((await page.locator("#verdict strong").innerText()).split(/[:.]/)[0]);
+  }
+  await becomes(() => findings(page).count(), 0);
+  assert.equal(shapes.size, 3);
+  assert.equal(words.size, 3);
+});
