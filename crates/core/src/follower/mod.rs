@@ -219,6 +219,19 @@ impl Follower {
         matches!(self.element, Element::Face { .. })
     }
 
+    /// ξ₀, radians: the angle at the pivot between the line of centres and the arm (or the flat face) at s = 0; none for a follower
+    /// that translates.
+    #[must_use]
+    pub fn opening(&self) -> Option<f64> {
+        let Body::Swing { pivot } = self.body else { return None };
+        let along = match self.element {
+            Element::Disc { centre, .. } => centre - pivot,
+            // The face points away from the pivot a quarter turn ahead of its normal.
+            Element::Face { normal, .. } => normal * Point::i(),
+        };
+        Some((along / -pivot).arg().abs())
+    }
+
     /// The pressure angle that good practice allows, radians: 30° translating, 35° oscillating.
     #[must_use]
     pub fn pressure_angle_limit(&self) -> f64 {
@@ -267,4 +280,26 @@ fn sliding_disc(base_radius: f64, radius: f64, eccentricity: f64) -> Placement {
     }
     let start = ((prime_radius - eccentricity) * (prime_radius + eccentricity)).sqrt();
     Ok((Body::Slide, Element::Disc { centre: Point::new(eccentricity, start), radius }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn opening(id: &str, base_radius: f64, values: FollowerValues) -> f64 {
+        let kind = FollowerKind::by_id(id).expect(id);
+        Follower::new(kind, base_radius, values, Rotation::default())
+            .expect(id)
+            .opening()
+            .expect("it swings")
+            .to_degrees()
+    }
+
+    #[test]
+    fn the_opening_is_that_of_the_triangle_or_of_the_face() {
+        // Example 2RO: cos ξ₀ = (80² + 80² − 50²)/(2·80·80).
+        assert!((opening("oscillating-roller", 40.0, [10.0, 80.0, 80.0, 0.0]) - 36.42).abs() < 0.005);
+        // sin ξ₀ = (Rb − f)/m, wherever the pivot is.
+        assert!((opening("oscillating-flat", 50.0, [10.0, 80.0, 1.2, 0.0]) - 30.0).abs() < 1e-12);
+    }
 }
