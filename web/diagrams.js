@@ -5,7 +5,8 @@
  * @import { Plot } from "./stage/plots.js"
  * @import { Row } from "./stage/overlay.js"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
+import { atRest } from "./rest.js";
 import { choice } from "./stage/choice.js";
 import { afterKey, stepped, stride, wrap } from "./stage/clock.js";
 import { figure } from "./stage/figure.js";
@@ -61,13 +62,23 @@ export function mount(root, context) {
     schedule();
   });
   store.subscribe(["report", "perSecond", "language", "tab"], (_, changed) => {
-    word();
+    if (changed.has("tab") || changed.has("language") || changed.has("perSecond")) word();
     if (changed.has("tab")) {
       arrange();
       measure();
     }
     drawAll();
+    caption();
   });
+  const tell = atRest(() => {
+    const { report, perSecond } = store.state;
+    for (const { plot, canvas } of Object.values(figures)) {
+      const name = t(`diagram.name.${plot.diagram}`);
+      const letter = perSecond ? plot.perSecond : plot.letter;
+      canvas.setAttribute("aria-label", alternative(plot, name.charAt(0).toLocaleUpperCase() + name.slice(1), letter, unitOf(plot, report, perSecond)));
+    }
+  });
+
   const moved = metered(drawCursor);
   store.subscribe(["cursor", "highlight"], (_, changed) => {
     if (!changed.has("report") && !changed.has("tab") && !changed.has("perSecond") && !changed.has("language")) moved();
@@ -76,6 +87,7 @@ export function mount(root, context) {
   arrange();
   if (ready()) {
     word();
+    caption();
     tellCursor();
   }
 
@@ -152,22 +164,24 @@ export function mount(root, context) {
   }
 
   function word() {
-    const { report, perSecond, tab } = store.state;
+    const { perSecond, tab } = store.state;
     root.setAttribute("aria-label", t("diagram.title"));
     overlay.setAttribute("aria-label", t("diagram.cursor"));
     tabs.word(t("diagram.choose"), (value) => (value === "svaj" ? "SVAJ" : value === "rho" ? "ρ" : "φ"), (value) => t(`diagram.tab.${value}`), tab);
     timing.word(t("diagram.timing"), (value) => t(`diagram.per.${value}.short`), (value) => t(`diagram.per.${value}`), perSecond ? "second" : "radian");
     note.textContent = tab === "svaj" ? "" : t(`diagram.note.${tab}`);
     note.hidden = tab === "svaj";
-    if (!ready()) return;
-    for (const { plot, canvas, letter, name, unit } of Object.values(figures)) {
-      const measure = unitOf(plot, report, perSecond);
-      const title = t(`diagram.name.${plot.diagram}`);
-      letter.textContent = perSecond ? plot.perSecond : plot.letter;
-      name.textContent = title;
-      unit.textContent = measure;
-      canvas.setAttribute("aria-label", alternative(plot, title.charAt(0).toLocaleUpperCase() + title.slice(1), letter.textContent, measure));
+  }
+
+  /** Letters, names and units; the sentences for those who cannot see the curves follow when the hand rests. */
+  function caption() {
+    const { report, perSecond } = store.state;
+    for (const { plot, letter, name, unit } of Object.values(figures)) {
+      write(letter, perSecond ? plot.perSecond : plot.letter);
+      write(name, t(`diagram.name.${plot.diagram}`));
+      write(unit, unitOf(plot, report, perSecond));
     }
+    tell();
   }
 
   /**

@@ -46,6 +46,15 @@ export function s(tag, attributes = {}, ...children) {
 }
 
 /**
+ * Text that is written only when it is another: an unchanged node costs the browser nothing.
+ * @param {Node} node
+ * @param {string} text
+ */
+export function write(node, text) {
+  if (node.textContent !== text) node.textContent = text;
+}
+
+/**
  * A symbol as in the books: italic letter, upright index. "Rb" and "R_b" give R with b below.
  * @param {string} symbol
  */

@@ -4,7 +4,7 @@
  *
  * @import { Cure, Finding, ShellContext } from "./types.d.ts"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import { applyEdits } from "./program.js";
 
 /**
@@ -55,7 +55,7 @@ export function createFindingItem({ store, t, format }, cured) {
     }
     texts.forEach((text, index) => {
       const button = parent.children[index];
-      if (button && button.textContent !== text) button.textContent = text;
+      if (button) write(button, text);
     });
   }
 
@@ -72,8 +72,11 @@ export function createFindingItem({ store, t, format }, cured) {
 
     /** @param {Finding} next */
     update(next) {
+      // The message is in the language of the page, so that a change of language is a change.
+      const same = what?.message === next.message && what.theta === next.theta && what.places.join() === next.places.join();
       what = next;
-      if (sentence.textContent !== next.message) sentence.textContent = next.message;
+      if (same) return;
+      write(sentence, next.message);
       sentence.title = t("verdict.see", { angle: format.angle(next.theta) });
       const several = next.places.length > 1 ? next.places : [];
       fillButtons(places, "place", several.map(degrees), (index) => see(what?.places[index] ?? 0));
@@ -89,7 +92,10 @@ export function createFindingItem({ store, t, format }, cured) {
         root.classList.remove("pending");
         fillButtons(cures, "cure", next.map(({ message }) => message), cure);
       }
-      for (const button of cures.querySelectorAll("button")) button.disabled = next === null;
+      const waiting = next === null;
+      for (const button of cures.children) {
+        if (button instanceof HTMLButtonElement && button.disabled !== waiting) button.disabled = waiting;
+      }
     },
   };
 

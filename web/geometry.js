@@ -5,7 +5,7 @@
  * @import { NumberField } from "./number-field.js"
  * @import { Texts } from "./texts.js"
  */
-import { h, symbol } from "./dom.js";
+import { h, symbol, write } from "./dom.js";
 import { followerEntry } from "./follower-choice.js";
 import { createHelpDrawing } from "./help-drawings.js";
 import { createNumberField, lengthStep, ownStep } from "./number-field.js";
@@ -145,12 +145,20 @@ export function createGeometry(context, texts) {
       field.update(store.state);
       field.speakUnit();
     }
-    speedUnit.value = design.speed.unit;
-    lengthUnit.value = design.length_unit;
-    rotation.value = design.cam.rotation ?? "counterclockwise";
+    choose(speedUnit, design.speed.unit);
+    choose(lengthUnit, design.length_unit);
+    choose(rotation, design.cam.rotation ?? "counterclockwise");
     const orphan = error !== null && !error.path.startsWith("segments") && !owned(error.path);
     general.hidden = !orphan;
-    general.textContent = orphan ? error.message : "";
+    write(general, orphan ? error.message : "");
+  }
+
+  /**
+   * @param {HTMLSelectElement} select
+   * @param {string} value
+   */
+  function choose(select, value) {
+    if (select.value !== value) select.value = value;
   }
 
   /** @param {string} path */

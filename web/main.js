@@ -55,11 +55,13 @@ async function start() {
 
   /** @type {ShellContext} */
   const context = { store, lab: engine.lab, t, format, catalogue, banner, announce };
+  // What is drawn on canvases comes first in each frame: their text asks for the styles of the page, which costs least while
+  // nothing has been written into it.
+  mechanism.mount(element("mechanism"), context);
+  diagrams.mount(element("diagrams"), context);
   header.mount(element("header"), context, engine);
   designPanel.mount(element("design"), context);
-  mechanism.mount(element("mechanism"), context);
   transport.mount(element("transport"), context);
-  diagrams.mount(element("diagrams"), context);
   readouts.mount(element("readouts"), context);
   verdict.mount(element("verdict"), context);
   keys.listen(context);

@@ -5,6 +5,7 @@
  * @import { View } from "./stage/view.js"
  */
 import { h } from "./dom.js";
+import { atRest } from "./rest.js";
 import { STEP, handle } from "./stage/handling.js";
 import { instant } from "./stage/instant.js";
 import { layersMenu } from "./stage/layers-menu.js";
@@ -59,6 +60,21 @@ export function mount(root, context) {
   /** @type {{ x: number, y: number } | null} */
   let pointer = null;
 
+  /** The text alternative. */
+  const describe = atRest(() => {
+    const { mechanism, units } = store.state.report;
+    const length = (/** @type {number} */ value) => format.quantity(value, { trim: true, unit: units.length });
+    canvas.setAttribute(
+      "aria-label",
+      t("stage.alternative", {
+        follower: t(`stage.follower.${mechanism.motion}-${mechanism.contact}`),
+        base: length(mechanism.base_radius),
+        reach: length(mechanism.reach),
+        sense: t(mechanism.sense > 0 ? "stage.counterclockwise" : "stage.clockwise"),
+      }),
+    );
+  });
+
   const draw = metered(() => {
     if (!scene || width === 0) return;
     scene.draw(pen, store.state, instant(context), format, width, height);
@@ -97,8 +113,9 @@ export function mount(root, context) {
     if (changed.has("layers") && scene && !chosen) look(false);
     if (!changed.has("report")) draw();
   });
-  store.subscribe(["layers", "language", "report"], () => menu.update());
-  store.subscribe(["language", "report"], word);
+  store.subscribe(["layers"], () => menu.update());
+  store.subscribe(["report"], () => describe());
+  store.subscribe(["language"], word);
 
   handle({
     canvas,
@@ -133,7 +150,10 @@ export function mount(root, context) {
     const { report } = store.state;
     const other = `${report.mechanism.motion} ${report.mechanism.contact} ${report.units.length}`;
     scene = new Scene(report, lab(), scene);
-    if (other !== kind) chosen = false;
+    if (other !== kind) {
+      chosen = false;
+      menu.update();
+    }
     if (!chosen) look(kind === "");
     kind = other;
   }
@@ -207,7 +227,7 @@ export function mount(root, context) {
     });
   }
 
-  /** Names and the text alternative. */
+  /** Names. */
   function word() {
     keys.textContent = t("stage.keys");
     buttons.out.setAttribute("aria-label", t("stage.zoomOut"));
@@ -215,17 +235,7 @@ export function mount(root, context) {
     buttons.fit.textContent = t("stage.fit");
     buttons.fit.parentElement?.setAttribute("aria-label", t("stage.window"));
     root.setAttribute("aria-label", t("stage.title"));
-    if (!scene) return;
-    const { mechanism, units } = scene.report;
-    const length = (/** @type {number} */ value) => format.quantity(value, { trim: true, unit: units.length });
-    canvas.setAttribute(
-      "aria-label",
-      t("stage.alternative", {
-        follower: t(`stage.follower.${mechanism.motion}-${mechanism.contact}`),
-        base: length(mechanism.base_radius),
-        reach: length(mechanism.reach),
-        sense: t(mechanism.sense > 0 ? "stage.counterclockwise" : "stage.clockwise"),
-      }),
-    );
+    menu.word();
+    describe();
   }
 }

@@ -80,6 +80,7 @@ export function mount(root, context) {
   root.append(grid);
 
   let shownAt = -Infinity;
+  let laid = "";
   const show = metered(() => {
     const now = performance.now();
     if (store.state.playing && now - shownAt < READABLE) return;
@@ -106,20 +107,23 @@ export function mount(root, context) {
 
   /** Letters, units, and as many decimals as give the largest value of the turn four figures. */
   function lay() {
-    const { report, perSecond } = store.state;
+    const { report, perSecond, language } = store.state;
+    const { units, mechanism } = report;
+    const next = [language, perSecond, mechanism.contact, units.s, units.length, ...cells.map(({ reading }) => `${digitsOf(reading, report, perSecond)}:${Math.floor(Math.log10(sizeOf(reading, report, perSecond) || 1))}`)].join();
+    if (next === laid) return;
+    laid = next;
     root.setAttribute("aria-label", t("readout.title"));
     let figures = 0;
     let measure = 0;
     for (const cell of cells) {
       const { reading } = cell;
-      const size = reading.size(report) * (perSecond ? report.omega ** reading.order : 1);
-      cell.digits = reading.unit(report, perSecond) === "°" ? 1 : decimals(size);
+      cell.digits = digitsOf(reading, report, perSecond);
       cell.letter.textContent = perSecond ? reading.timed : reading.letter;
       const name = t(reading.name === "sliding" && report.mechanism.contact === "roller" ? "readout.rolling" : `readout.${reading.name}`);
       cell.name.textContent = ` ${name}`;
       cell.element.title = name;
       cell.unit.textContent = reading.unit(report, perSecond);
-      figures = Math.max(figures, format.number(-size, { digits: cell.digits }).length);
+      figures = Math.max(figures, format.number(-sizeOf(reading, report, perSecond), { digits: cell.digits }).length);
       measure = Math.max(measure, cell.unit.textContent.length * UNIT);
       cell.element.hidden = reading.name === "contact" && !report.summary.contact;
     }
@@ -128,8 +132,21 @@ export function mount(root, context) {
   }
 }
 
-/** @param {number} size */
-function decimals(size) {
-  if (!(size > 0)) return 1;
+/**
+ * @param {Reading} reading
+ * @param {Report} report
+ * @param {boolean} perSecond
+ */
+const sizeOf = (reading, report, perSecond) => reading.size(report) * (perSecond ? report.omega ** reading.order : 1);
+
+/**
+ * Decimals of a reading.
+ * @param {Reading} reading
+ * @param {Report} report
+ * @param {boolean} perSecond
+ */
+function digitsOf(reading, report, perSecond) {
+  const size = sizeOf(reading, report, perSecond);
+  if (!(size > 0) || reading.unit(report, perSecond) === "°") return 1;
   return Math.min(Math.max(SIGNIFICANT - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
 }

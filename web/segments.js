@@ -146,8 +146,13 @@ export function createSegments(context, texts) {
     addEventListener("pointercancel", drop, { once: true });
   }
 
+  let shown = "";
+
   function update() {
-    const { design } = store.state;
+    const { design, error, language } = store.state;
+    const next = JSON.stringify([design.segments, riseUnit(design), error, language]);
+    if (next === shown) return;
+    shown = next;
     while (rows.length > design.segments.length) rows.pop()?.root.remove();
     while (rows.length < design.segments.length) {
       const row = createSegmentRow(context, { menu: openMenu, move, grab });

@@ -3,7 +3,7 @@
  *
  * @import { Context, State } from "./types.d.ts"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import { parseNumber } from "./numbers.js";
 import { WHEEL, positionOf, rateAt, stepped, stride, turned, wrap } from "./stage/clock.js";
 import { closeFrame, metered } from "./stage/meter.js";
@@ -33,6 +33,7 @@ export function mount(root, { store, t, format }) {
   );
 
   let lastRate = CALM;
+  let ticked = "";
   let before = NaN;
   let running = false;
   /** One object for every frame: the animation allocates nothing. */
@@ -153,13 +154,15 @@ export function mount(root, { store, t, format }) {
     if (rate !== 0) lastRate = rate;
     const real = format.quantity(report.period, { trim: true, unit: "s" });
     const shown = rate === 0 ? t("transport.stopped", { real }) : t("transport.pace", { shown: format.quantity(1 / Math.abs(rate), { trim: true, unit: "s" }), real });
-    pace.textContent = shown;
+    write(pace, shown);
     wheel.setAttribute("aria-valuetext", rate < 0 ? `${shown}, ${t("transport.backwards")}` : shown);
     reverse.setAttribute("aria-pressed", String(rate < 0));
   }
 
   function showTicks() {
     const { borders } = store.state.report;
+    if (ticked === borders.join()) return;
+    ticked = borders.join();
     ticks.replaceChildren(
       ...borders.slice(1).map((to, i) => {
         const from = borders[i] ?? 0;

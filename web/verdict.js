@@ -5,17 +5,15 @@
  * @import { FindingItem } from "./finding-item.js"
  * @import { DesignError, Finding, Level, Report, ShellContext } from "./types.d.ts"
  */
-import { h, s } from "./dom.js";
+import { h, s, write } from "./dom.js";
 import { createFigures } from "./figures.js";
 import { createFindingItem } from "./finding-item.js";
 import { icon } from "./icons.js";
+import { atRest } from "./rest.js";
 import { createTexts } from "./texts.js";
 
 /** Quiet milliseconds after which a changed verdict is said. */
 const QUIET = 900;
-
-/** Milliseconds without an edit after which the cures are looked for. */
-const RESTING = 90;
 
 /** @typedef {Level | "stopped"} Light */
 
@@ -52,7 +50,6 @@ export function mount(root, context) {
   const items = [];
   /** @type {Report | null} */
   let shown = null;
-  let cureTimer = 0;
   let said = "";
   let timer = 0;
 
@@ -107,15 +104,17 @@ export function mount(root, context) {
     findings.forEach((finding, index) => items[index]?.update(finding));
   }
 
-  /** Looks for the cures once the hand rests: finding them takes many analyses. @param {Report} report */
+  /** Finding the cures takes many analyses. */
+  const lookForCures = atRest(() => {
+    const cures = items.length > 0 ? lab().cures(store.state.language) : [];
+    items.forEach((item, index) => item.prescribe(cures[index] ?? []));
+  });
+
+  /** @param {Report} report */
   function awaitCures(report) {
     shown = report;
     for (const item of items) item.prescribe(null);
-    clearTimeout(cureTimer);
-    cureTimer = window.setTimeout(() => {
-      const cures = lab().cures(store.state.language);
-      items.forEach((item, index) => item.prescribe(cures[index] ?? []));
-    }, RESTING);
+    lookForCures();
   }
 
   /** The finding is gone, and its button with it: the focus goes to the next one, or to the verdict. */
@@ -163,12 +162,4 @@ export function mount(root, context) {
 function parted(headline) {
   const end = headline.indexOf(":") + 1;
   return end > 0 ? [headline.slice(0, end), headline.slice(end).trim()] : [headline, ""];
-}
-
-/**
- * @param {HTMLElement} element
- * @param {string} text
- */
-function write(element, text) {
-  if (element.textContent !== text) element.textContent = text;
 }

@@ -28,10 +28,14 @@ export function layersMenu({ store, t }) {
 
   return {
     root,
-    update() {
+
+    word() {
       title.textContent = t("stage.layers");
-      for (const { layer, box, name, row } of items) {
-        name.textContent = t(`stage.layer.${layer}`);
+      for (const { layer, name } of items) name.textContent = t(`stage.layer.${layer}`);
+    },
+
+    update() {
+      for (const { layer, box, row } of items) {
         box.checked = store.state.layers[layer] ?? LAYERS[layer];
         row.hidden = !applies(layer, store.state.report);
       }
