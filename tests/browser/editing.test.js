@@ -57,8 +57,8 @@ test("the cam, its diagrams and its verdict follow an edit in the next frame", a
     return canvases.filter((_, i) => now[i] === old[i]).map((canvas) => canvas.getAttribute("aria-label"));
   });
   assert.deepEqual(late, [], "not drawn anew");
-  assert.notEqual(await figures(page), before);
-  assert.match(await figures(page), /s max 11\smm/);
+  await eventually(() => figures(page), (now) => assert.notEqual(now, before));
+  await becomes(() => figures(page), /s max 11\smm/);
 });
 
 test("arrows step a number, Shift by ten, Alt by a tenth; Escape gives back what it was", async (t) => {
@@ -98,7 +98,7 @@ test("a text that is no number is explained beside its field, and the last good 
   for (const [text, explanation] of /** @type {const} */ ([["", "empty"], ["1.2.3", "two-signs"], ["12x", "unreadable"], ["3e", "exponent"]])) {
     await radius.fill(text);
     assert.equal(await radius.getAttribute("aria-invalid"), "true", text);
-    assert((await descriptions(radius)).includes(en(`number.${explanation}`, { text })), `"${text}" is not explained`);
+    await eventually(() => descriptions(radius), (told) => assert(told.includes(en(`number.${explanation}`, { text })), `"${text}" is not explained`));
   }
   await frames(page);
   assert.equal(await picture(diagram(page, "s")), sight);
@@ -118,9 +118,9 @@ test("a cam that cannot be is explained beside its field and dimmed, and comes b
   await radius.fill("-5");
   await becomes(() => level(page), "stopped");
   assert.equal(await radius.getAttribute("aria-invalid"), "true");
-  const [told = ""] = (await descriptions(radius)).filter((text) => text !== "mm");
-  assert(told.length > 10, "no explanation");
-  assert((await verdict(page).innerText()).includes(told), "the verdict does not say it");
+  const explained = async () => (await descriptions(radius)).find((text) => text !== "mm") ?? "";
+  const told = await eventually(explained, (text) => assert(text.length > 10, "no explanation"));
+  await eventually(() => verdict(page).innerText(), (text) => assert(text.includes(told), "the verdict does not say it"));
   assert.equal(await picture(diagram(page, "s")), sight, "the last good cam is gone");
   const dim = () => mechanism(page).evaluate((canvas) => Number(getComputedStyle(canvas).opacity));
   await eventually(dim, (opacity) => assert(opacity < 0.7, "not dimmed"));
@@ -134,11 +134,11 @@ test("a verdict on a cam that cannot be names what stands in the way", async (t)
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   await field(page, "base_radius").fill("-5");
   await becomes(() => level(page), "stopped");
-  assert.match(await verdict(page).innerText(), /base radius|\bR\s?b\b/i);
+  await becomes(() => verdict(page).innerText(), /base radius|\bR\s?b\b/i);
   await field(page, "base_radius").fill("35");
   await field(page, "roller_radius").fill("0");
   await becomes(() => level(page), "stopped");
-  assert.match(await verdict(page).innerText(), /roller radius|\bR\s?f\b/i);
+  await becomes(() => verdict(page).innerText(), /roller radius|\bR\s?f\b/i);
 });
 
 test("another law, by its name", async (t) => {
@@ -206,14 +206,14 @@ test("what is left of 360° is told and filled in a click", async (t) => {
   await beta(page, 1).fill("37.5");
   await becomes(() => level(page), "stopped");
   const said = () => programSays(page).innerText();
-  assert.match(await said(), new RegExp(literal(en("segments.left", { angle: "12.5°" }))));
+  await becomes(said, new RegExp(literal(en("segments.left", { angle: "12.5°" }))));
   await programSays(page).getByRole("button", { name: en("segments.fill"), exact: true }).click();
   assert.deepEqual(await program(page), ["modified-sine 37.5 10", ...NINE.slice(1), "dwell 12.5 0"]);
-  assert.match(await said(), new RegExp(literal(en("segments.closed"))));
+  await becomes(said, new RegExp(literal(en("segments.closed"))));
   await becomes(() => level(page), "low-speed");
 
   await beta(page, 9).fill("20");
-  assert.match(await said(), new RegExp(literal(en("segments.over", { angle: "7.5°" }))));
+  await becomes(said, new RegExp(literal(en("segments.over", { angle: "7.5°" }))));
   await programSays(page).getByRole("button", { name: en("segments.shorten"), exact: true }).click();
   assert.equal((await program(page))[8], "dwell 12.5 0");
   await becomes(() => level(page), "low-speed");
@@ -223,7 +223,7 @@ test("a program that ends at another height says so and is closed in a click", a
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   await rise(page, 1).fill("10.2");
   await becomes(() => level(page), "stopped");
-  assert.match(await programSays(page).innerText(), new RegExp(literal(en("segments.height.above", { height: "0.2\u00a0mm" })).replaceAll(/\s/g, "\\s")));
+  await becomes(() => programSays(page).innerText(), new RegExp(literal(en("segments.height.above", { height: "0.2\u00a0mm" })).replaceAll(/\s/g, "\\s")));
   await programSays(page).getByRole("button", { name: en("segments.close"), exact: true }).click();
   assert.equal((await program(page))[6], "polynomial-4-5-6-7 50 −10.2");
   await becomes(() => level(page), "low-speed");
@@ -310,7 +310,7 @@ test("title, unit, speed and sense of rotation are part of the design", async (t
   await becomes(() => fragment(page), /^1\.Press_feed\./);
   assert.equal(await page.title(), "Press feed · LevaLab");
   await becomes(() => page.locator("#transport output").textContent(), /0\.5\ss/);
-  assert.match(await figures(page), /10\sin/);
+  await becomes(() => figures(page), /10\sin/);
   assert.match((await mechanism(page).getAttribute("aria-label")) ?? "", new RegExp(` ${en("stage.clockwise")}`));
   for (let i = 0; i < 5; i++) await undo(page).click();
   await becomes(() => fragment(page), LINKS["9RT"]);

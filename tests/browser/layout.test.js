@@ -78,6 +78,8 @@ for (const [viewport, locale, theme] of /** @type {const} */ ([
 ])) {
   test(`${viewport.width} × ${viewport.height}, ${locale}: everything is in sight without scrolling`, async (t) => {
     const { page } = await openStill(t, { viewport, locale, colorScheme: theme });
+    const hidden = await page.locator("#design").evaluate(({ scrollHeight, clientHeight }) => scrollHeight - clientHeight);
+    assert(hidden <= 0, `${hidden} pixels of the design panel are hidden`);
     for (const link of ["", LINKS.R1, LINKS["2RO"]]) {
       await page.evaluate((link) => void (link && (location.hash = link)), link);
       if (link === LINKS.R1) await becomes(() => baseRadiusCure(page).count(), 1);
@@ -89,25 +91,18 @@ for (const [viewport, locale, theme] of /** @type {const} */ ([
       assert(await verdictInSight(page), link);
     }
   });
-
-  test(`${viewport.width} × ${viewport.height}, ${locale}: the design panel of the opening example needs no scrolling`, async (t) => {
-    const { page } = await openStill(t, { viewport, locale, colorScheme: theme });
-    const hidden = await page.locator("#design").evaluate(({ scrollHeight, clientHeight }) => scrollHeight - clientHeight);
-    assert(hidden <= 0, `${hidden} pixels of the panel are hidden`);
-  });
 }
 
-test("on a laptop the mechanism and each diagram have room", async (t) => {
-  const { page } = await openStill(t, { viewport: LAPTOP });
-  const sizes = await page.evaluate(() => [...document.querySelectorAll("canvas")].filter((canvas) => canvas.checkVisibility()).map(({ clientWidth, clientHeight }) => [clientWidth, clientHeight]));
-  assert(sizes.length >= 5, "canvases are missing");
-  for (const [width, height] of sizes) assert(width >= 300 && height >= 60, `a canvas of ${width} × ${height}`);
-});
-
-test("the canvases are sharp at two pixels for one", async (t) => {
+test("on a laptop the mechanism and each diagram have room, and are sharp at two pixels for one", async (t) => {
   const { page } = await openStill(t, { viewport: LAPTOP, deviceScaleFactor: 2 });
-  const ratios = await page.evaluate(() => [...document.querySelectorAll("canvas")].filter((canvas) => canvas.checkVisibility()).map(({ width, clientWidth }) => width / clientWidth));
-  for (const ratio of ratios) assert(Math.abs(ratio - 2) < 0.02, `${ratio} pixels for one`);
+  const canvases = await page.evaluate(() =>
+    [...document.querySelectorAll("canvas")].filter((canvas) => canvas.checkVisibility()).map(({ width, clientWidth, clientHeight }) => ({ width, clientWidth, clientHeight })),
+  );
+  assert(canvases.length >= 6, "canvases are missing");
+  for (const { width, clientWidth, clientHeight } of canvases) {
+    assert(clientWidth >= 300 && clientHeight >= 60, `a canvas of ${clientWidth} × ${clientHeight}`);
+    assert(Math.abs(width / clientWidth - 2) < 0.02, `${width / clientWidth} pixels for one`);
+  }
 });
 
 test("on a laptop a wrong number and its explanation fit too", async (t) => {

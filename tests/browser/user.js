@@ -90,6 +90,9 @@ export async function frames(page, count = 2) {
   }, count);
 }
 
+/** The longest piece of a sentence that is the same whatever it tells of. @param {Words} say @param {string} key @param {string} gap */
+export const fixedPart = (say, key, gap) => say(key, { [gap]: "\0" }).split("\0").reduce((long, part) => (part.length > long.length ? part : long)).trim();
+
 /** A word or name of the page as part of a pattern. @param {string} text */
 export const literal = (text) => text.replaceAll(/[.*+?^${}()|[\]\\]/g, "\\$&");
 
