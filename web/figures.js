@@ -1,5 +1,5 @@
 /**
- * The key figures of the cam in one line: pressure angle with its limit, smallest radius of curvature, lift, face length.
+ * The key figures of the cam in one line: pressure angle with its limit, smallest radius of curvature, lift, opening of the arm, face length.
  *
  * @import { Range, ShellContext } from "./types.d.ts"
  */
@@ -27,6 +27,7 @@ export function createFigures({ store, t, format }) {
       list.push(["rho", t("verdict.figure.rho", { value }), least_convex.at]);
     }
     if (lift) list.push(["s", t("verdict.figure.lift", { value: format.quantity(lift.max, { trim: true, unit: units.s }) }), lift.max_at]);
+    if (mechanism.opening !== null) list.push(["opening", t("verdict.figure.opening", { value: format.number(mechanism.opening, { digits: 2, unit: "°" }) }), 0]);
     if (contact && mechanism.contact === "flat" && contact.max !== null && contact.min !== null) {
       list.push(["face", t("verdict.figure.face", { value: format.quantity(contact.max - contact.min, { trim: true, unit: units.length }) }), contact.max_at]);
     }

@@ -7,8 +7,6 @@ import { h } from "./dom.js";
 import { AT, instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 
-/** While the cam turns, figures change no more often than this, in ms: faster than an eye reads, slower than a frame. */
-const READABLE = 80;
 const SIGNIFICANT = 4;
 const MOST_DIGITS = 9;
 /** Width of a letter of a unit, in figures. */
@@ -79,12 +77,8 @@ export function mount(root, context) {
   const grid = h("div", { class: "readout-grid" }, ...columns.map((column) => h("div", {}, ...column.map(({ element }) => element))));
   root.append(grid);
 
-  let shownAt = -Infinity;
   let laid = "";
   const show = metered(() => {
-    const now = performance.now();
-    if (store.state.playing && now - shownAt < READABLE) return;
-    shownAt = now;
     const at = instant(context);
     const { perSecond, cursor } = store.state;
     for (const { reading, output, digits, element } of cells) {
@@ -96,10 +90,7 @@ export function mount(root, context) {
   });
 
   store.subscribe(["report", "perSecond", "language"], lay);
-  store.subscribe(["cursor", "playing", "report", "perSecond", "language"], (_, changed) => {
-    if (changed.size !== 1 || !changed.has("cursor")) shownAt = -Infinity;
-    show();
-  });
+  store.subscribe(["cursor", "report", "perSecond", "language"], show);
   if (/** @type {State["report"] | undefined} */ (store.state.report)) {
     lay();
     show();

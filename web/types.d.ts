@@ -159,6 +159,8 @@ export interface Report {
     eccentricity: number;
     pivot: [number, number] | null;
     arm: number | null;
+    /** ξ₀ in degrees, of a follower that swings. */
+    opening: number | null;
     face_offset: number;
     face_angle: number;
     face: [number, number] | null;

@@ -179,6 +179,7 @@ export const en = {
   "verdict.figure.phi": "φ {min} … {max} (limit {limit})",
   "verdict.figure.lift": "s max {value}",
   "verdict.figure.rho": "ρ min {value}",
+  "verdict.figure.opening": "ξ₀ {value}",
   "verdict.figure.face": "face {value}",
 
   "help.title": "Keys",

@@ -179,6 +179,7 @@ export const es = {
   "verdict.figure.phi": "φ {min} … {max} (límite {limit})",
   "verdict.figure.lift": "s máx. {value}",
   "verdict.figure.rho": "ρ mín. {value}",
+  "verdict.figure.opening": "ξ₀ {value}",
   "verdict.figure.face": "cara {value}",
 
   "help.title": "Teclas",

@@ -33,7 +33,7 @@ pub struct Failure {
 #[derive(Serialize)]
 #[serde(rename_all = "snake_case")]
 enum Read {
-    Design(Value),
+    Design(Box<Design>),
     Error(Failure),
 }
 
@@ -57,7 +57,7 @@ pub fn open_link(
 ) -> Result<JsValue, JsError> {
     let language = language(words);
     object(&match link::decode(link::within(fragment)) {
-        Ok(design) => Read::Design(design.to_value()),
+        Ok(design) => Read::Design(Box::new(design)),
         Err(error) => {
             Read::Error(Failure { path: String::new(), message: levalab_words::link_error(language, &error) })
         }
@@ -75,7 +75,7 @@ pub fn read_design(
 ) -> Result<JsValue, JsError> {
     let value: Value = serde_wasm_bindgen::from_value(design)?;
     object(&match Design::from_value(&value) {
-        Ok(design) => Read::Design(design.to_value()),
+        Ok(design) => Read::Design(Box::new(design)),
         Err(error) => Read::Error(speak(language(words), &error)),
     })
 }
