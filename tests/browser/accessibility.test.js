@@ -127,7 +127,7 @@ test("what the diagrams show is said in numbers, with their units and places", a
   await page.getByRole("radio", { name: new RegExp(en("diagram.per.second")) }).check({ force: true });
   await field(page, "speed").fill("2");
   await eventually(() => said("v"), (text) => assert.match(text, /mm\/s\b/));
-  assert.match((await mechanism(page).getAttribute("aria-label")) ?? "", /translating roller.*35\smm.*45\smm/);
+  await becomes(() => mechanism(page).getAttribute("aria-label"), /translating roller.*35\smm.*45\smm/);
   await openExample(page, "2RO");
   await becomes(async () => (await mechanism(page).getAttribute("aria-label")) ?? "", /oscillating roller.*40\smm/);
 });

@@ -311,7 +311,7 @@ test("title, unit, speed and sense of rotation are part of the design", async (t
   assert.equal(await page.title(), "Press feed · LevaLab");
   await becomes(() => page.locator("#transport output").textContent(), /0\.5\ss/);
   await becomes(() => figures(page), /10\sin/);
-  assert.match((await mechanism(page).getAttribute("aria-label")) ?? "", new RegExp(` ${en("stage.clockwise")}`));
+  await becomes(() => mechanism(page).getAttribute("aria-label"), new RegExp(` ${en("stage.clockwise")}`));
   for (let i = 0; i < 5; i++) await undo(page).click();
   await becomes(() => fragment(page), LINKS["9RT"]);
 });
