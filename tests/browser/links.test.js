@@ -141,8 +141,10 @@ for (const [how, link] of Object.entries(DAMAGED)) assert.notEqual(link, GOOD, h
 
 test("a damaged link pasted into the address is told, kept to be copied, and what was there stays", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const first = await verdict(page).innerText();
   await field(page, "base_radius").fill("38");
   await nextFragment(page, LINKS["9RT"]);
+  await eventually(() => verdict(page).innerText(), (now) => assert.notEqual(now, first));
   const sight = async () => [await verdict(page).innerText(), await program(page), await field(page, "base_radius").inputValue(), await page.title()];
   const had = await eventually(sight, ([, , radius]) => assert.equal(radius, "38"));
   for (const [how, link] of Object.entries(DAMAGED)) {
