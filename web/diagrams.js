@@ -14,7 +14,7 @@ import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 import { atTheta, drawOverlay, thetaAt } from "./stage/overlay.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
-import { PLOTS, TABS, scaleOf, styleOf, unitOf } from "./stage/plots.js";
+import { PLOTS, TABS, rangeOf, styleOf, unitOf } from "./stage/plots.js";
 import { vectorDrawings } from "./stage/print.js";
 
 /** plotters draws at whole pixels: with fewer than two of them for a CSS pixel slow curves show steps. */
@@ -193,16 +193,15 @@ export function mount(root, context) {
    */
   function alternative(plot, name, letter, unit) {
     const { report, perSecond } = store.state;
-    const range = report.summary[plot.diagram];
+    const range = rangeOf(plot, report, perSecond);
     if (!range) return t("diagram.alternative.none", { name, letter });
     // Where the profile turns hollow, ρ goes through infinity: what counts is where it is sharpest.
     if (plot.diagram === "rho" && report.least_convex && (range.min === null || range.max === null)) {
       const { value, at } = report.least_convex;
       return t("diagram.alternative.rho", { name, letter, value: format.quantity(value, { trim: true, unit }), at: format.angle(at) });
     }
-    const factor = scaleOf(plot, report, perSecond);
     /** @param {number | null} value */
-    const say = (value) => (value === null ? "∞" : format.quantity(value * factor, { trim: true, unit }));
+    const say = (value) => (value === null ? "∞" : format.quantity(value, { trim: true, unit }));
     return t("diagram.alternative", {
       name, letter, min: say(range.min), max: say(range.max), minAt: format.angle(range.min_at), maxAt: format.angle(range.max_at),
     });

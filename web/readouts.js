@@ -20,28 +20,27 @@ const UNIT = 0.9;
  * @property {number} place
  * @property {number} placeTimed
  * @property {string} token          of its colour
- * @property {(report: Report) => number} size  largest value of the turn, per radian
- * @property {number} order          of its derivative
+ * @property {(report: Report, perSecond: boolean) => number} size  largest value of the turn
  * @property {(report: Report, perSecond: boolean) => string} unit
  */
 
-/** @type {(key: "s" | "v" | "a" | "j" | "rho" | "contact") => (report: Report) => number} */
-const largest = (key) => (report) => {
-  const range = report.summary[key];
+/** @type {(key: keyof Report["summary"], timed?: keyof Report["summary"]) => Reading["size"]} */
+const largest = (key, timed = key) => ({ summary }, perSecond) => {
+  const range = summary[perSecond ? timed : key];
   return Math.max(Math.abs(range?.min ?? 0), Math.abs(range?.max ?? 0));
 };
 
 /** @type {(key: "s" | "v" | "a" | "j", letter: "s" | "V" | "A" | "J", place: number, timed: number) => Reading} */
 const motion = (key, letter, place, timed) => ({
-  name: key, letter: key, timed: letter, place, placeTimed: timed, token: key, size: largest(key), order: "svaj".indexOf(key),
+  name: key, letter: key, timed: letter, place, placeTimed: timed, token: key, size: largest(key, letter),
   unit: ({ units }, perSecond) => units[perSecond ? letter : key],
 });
 
 /** Place and time, motion, contact: a column each. @type {readonly (readonly Reading[])[]} */
 const GROUPS = [
   [
-    { name: "theta", letter: "θ", timed: "θ", place: -1, placeTimed: -1, token: "ink", size: () => 360, order: 0, unit: () => "°" },
-    { name: "t", letter: "t", timed: "t", place: AT.t, placeTimed: AT.t, token: "ink", size: ({ period }) => period, order: 0, unit: () => "s" },
+    { name: "theta", letter: "θ", timed: "θ", place: -1, placeTimed: -1, token: "ink", size: () => 360, unit: () => "°" },
+    { name: "t", letter: "t", timed: "t", place: AT.t, placeTimed: AT.t, token: "ink", size: ({ period }) => period, unit: () => "s" },
   ],
   [
     motion("s", "s", AT.s, AT.s),
@@ -50,11 +49,11 @@ const GROUPS = [
     motion("j", "J", AT.j, AT.J),
   ],
   [
-    { name: "pressure_angle", letter: "φ", timed: "φ", place: AT.pressureAngle, placeTimed: AT.pressureAngle, token: "phi", size: () => 90, order: 0, unit: () => "°" },
+    { name: "pressure_angle", letter: "φ", timed: "φ", place: AT.pressureAngle, placeTimed: AT.pressureAngle, token: "phi", size: () => 90, unit: () => "°" },
     // A radius of curvature goes to infinity: its decimals follow the cam's size, not its own.
-    { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => units.length },
-    { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "ink", size: largest("contact"), order: 0, unit: ({ units }) => units.length },
-    { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, order: 0, unit: ({ units }) => `${units.length}/rad` },
+    { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism }) => mechanism.reach, unit: ({ units }) => units.length },
+    { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "ink", size: largest("contact"), unit: ({ units }) => units.length },
+    { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, unit: ({ units }) => `${units.length}/rad` },
   ],
 ];
 
@@ -100,7 +99,7 @@ export function mount(root, context) {
   function lay() {
     const { report, perSecond, language } = store.state;
     const { units, mechanism } = report;
-    const next = [language, perSecond, mechanism.contact, units.s, units.length, ...cells.map(({ reading }) => `${digitsOf(reading, report, perSecond)}:${Math.floor(Math.log10(sizeOf(reading, report, perSecond) || 1))}`)].join();
+    const next = [language, perSecond, mechanism.contact, units.s, units.length, ...cells.map(({ reading }) => `${digitsOf(reading, report, perSecond)}:${Math.floor(Math.log10(reading.size(report, perSecond) || 1))}`)].join();
     if (next === laid) return;
     laid = next;
     root.setAttribute("aria-label", t("readout.title"));
@@ -114,7 +113,7 @@ export function mount(root, context) {
       cell.name.textContent = ` ${name}`;
       cell.element.title = name;
       cell.unit.textContent = reading.unit(report, perSecond);
-      figures = Math.max(figures, format.number(-sizeOf(reading, report, perSecond), { digits: cell.digits }).length);
+      figures = Math.max(figures, format.number(-reading.size(report, perSecond), { digits: cell.digits }).length);
       measure = Math.max(measure, cell.unit.textContent.length * UNIT);
       cell.element.hidden = reading.name === "contact" && !report.summary.contact;
     }
@@ -124,20 +123,13 @@ export function mount(root, context) {
 }
 
 /**
- * @param {Reading} reading
- * @param {Report} report
- * @param {boolean} perSecond
- */
-const sizeOf = (reading, report, perSecond) => reading.size(report) * (perSecond ? report.omega ** reading.order : 1);
-
-/**
  * Decimals of a reading.
  * @param {Reading} reading
  * @param {Report} report
  * @param {boolean} perSecond
  */
 function digitsOf(reading, report, perSecond) {
-  const size = sizeOf(reading, report, perSecond);
+  const size = reading.size(report, perSecond);
   if (!(size > 0) || reading.unit(report, perSecond) === "°") return 1;
   return Math.min(Math.max(SIGNIFICANT - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
 }

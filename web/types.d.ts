@@ -140,7 +140,7 @@ export interface Report {
   /** The fragment without `#`; empty when the design is too long for a link. */
   link: string;
   verdict: { level: Level; headline: string; findings: Finding[] };
-  summary: Partial<Record<Diagram | "rho_pitch" | "contact", Range>>;
+  summary: Partial<Record<Diagram | "V" | "A" | "J" | "rho_pitch" | "contact", Range>>;
   /** The sharpest convex place of the profile; null where nothing is convex. */
   least_convex: { value: number; at: number } | null;
   joints: { theta: number; segment: number; jump: "s" | "v" | "a" | "j" | null }[];

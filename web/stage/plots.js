@@ -42,12 +42,13 @@ export function unitOf(plot, { units }, perSecond) {
 }
 
 /**
- * What one unit per radian is per second: ω for v, ω² for a, ω³ for j.
+ * Extremes of a diagram's values.
  * @param {Plot} plot
  * @param {Report} report
  * @param {boolean} perSecond
  */
-export const scaleOf = (plot, { omega }, perSecond) => (perSecond ? omega ** Math.max(0, "svaj".indexOf(plot.letter)) : 1);
+export const rangeOf = (plot, { summary }, perSecond) =>
+  summary[/** @type {keyof typeof summary} */ (perSecond && plot.timed !== plot.place ? plot.perSecond : plot.diagram)];
 
 /**
  * @param {Plot} plot

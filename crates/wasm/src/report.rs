@@ -1,7 +1,7 @@
 //! What an analysis tells the page, shaped for JavaScript.
 
 use crate::lab::Current;
-use levalab_core::{Body, Element, Level};
+use levalab_core::{Body, Column, Element, Level};
 use levalab_format::report::Range;
 use levalab_format::{DesignCure, Edit, link};
 use levalab_words::Language;
@@ -108,7 +108,7 @@ impl PageReport {
         Self {
             link: link::encode(design).unwrap_or_default(),
             verdict: Verdict::of(current, language),
-            summary: report.summary.clone(),
+            summary: summary(current),
             least_convex: analysis
                 .summary
                 .least_convex
@@ -120,7 +120,7 @@ impl PageReport {
                 .map(|joint| PageJoint {
                     theta: joint.theta,
                     segment: joint.segment,
-                    jump: joint.jump.map(levalab_core::Column::name),
+                    jump: joint.jump.map(Column::name),
                 })
                 .collect(),
             borders: report.borders.clone(),
@@ -131,6 +131,18 @@ impl PageReport {
             units: Units::of(current),
         }
     }
+}
+
+/// Extremes by the name of their column, and of V, A and J, the derivatives by time.
+fn summary(current: &Current) -> Vec<(&'static str, Range)> {
+    let mut ranges = current.report.summary.clone();
+    let mut rate = 1.0;
+    for (column, name) in [(Column::V, "V"), (Column::A, "A"), (Column::J, "J")] {
+        rate *= current.design.omega();
+        let timed = |range: Range| Range { min: range.min * rate, max: range.max * rate, ..range };
+        ranges.extend(current.report.range(column).map(|range| (name, timed(range))));
+    }
+    ranges
 }
 
 /// The cures of every finding, in the order of the findings.
