@@ -25,7 +25,7 @@ export function createBanner(root, t) {
       again = () => {
         const close = h("button", { type: "button", class: "quiet" }, t("banner.close"));
         close.addEventListener("click", hide);
-        root.replaceChildren(h("p", {}, t(key, values)), ...(raw ? [rawText(raw)] : []), close);
+        root.replaceChildren(h("p", {}, t(key, typeof values === "function" ? values() : values)), ...(raw ? [rawText(raw)] : []), close);
       };
       again();
     },

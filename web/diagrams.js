@@ -8,7 +8,7 @@
 import { h, write } from "./dom.js";
 import { atRest } from "./rest.js";
 import { choice } from "./stage/choice.js";
-import { afterKey, stepped, stride, wrap } from "./stage/clock.js";
+import { played, stepped, stride, wrap } from "./stage/clock.js";
 import { figure } from "./stage/figure.js";
 import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
@@ -265,12 +265,9 @@ export function mount(root, context) {
   );
   overlay.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey) return;
-    if (event.key === " ") store.set({ playing: !store.state.playing });
-    else {
-      const cursor = afterKey(store.state.cursor, event);
-      if (cursor === null) return;
-      store.set({ cursor, playing: false });
-    }
+    const change = played(store.state, event);
+    if (!change) return;
+    store.set(change);
     event.preventDefault();
   });
 

@@ -66,8 +66,13 @@ export async function startEngine({ language, restarted }) {
     const now = performance.now();
     panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
     if (panics.length > RESTARTS) return restarted(true);
-    await instantiate();
-    if (good) lab.open(good, SAMPLES, language());
+    try {
+      await instantiate();
+      if (good) lab.open(good, SAMPLES, language());
+    } catch (error) {
+      console.error(error);
+      return restarted(true);
+    }
     restarting = false;
     restarted(false);
   }

@@ -29,11 +29,9 @@ export function createFiles({ store, t, banner }, texts, { openFile, saveFile })
     chooser.value = "";
     if (!file) return;
     const text = file.size > LARGEST ? "" : await file.text();
-    const read = openFile(text, t("banner.file.json"));
-    if (read.error) {
-      const { path, message } = read.error;
-      return banner.show("banner.file", { reason: path ? `${path}: ${message}` : message });
-    }
+    const attempt = () => openFile(text, t("banner.file.json"));
+    const read = attempt();
+    if (read.error) return banner.show("banner.file", () => ({ reason: sentence(attempt()) }));
     banner.hide();
     store.replace(read.design, t("edit.file"));
   });
@@ -46,6 +44,11 @@ export function createFiles({ store, t, banner }, texts, { openFile, saveFile })
   });
 
   return [chooser, files, menu.root];
+}
+
+/** What is wrong with a file, and where. @param {Read} read */
+function sentence({ error }) {
+  return error?.path ? `${error.path}: ${error.message}` : (error?.message ?? "");
 }
 
 /** @param {string} title */

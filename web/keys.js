@@ -1,15 +1,17 @@
 /**
- * Keys of the whole page: undo, redo, projector, help. Those of the animation belong to the transport.
+ * Keys of the whole page: undo, redo, projector, help, and those of the animation while nothing has the focus.
  *
  * @import { ShellContext } from "./types.d.ts"
  */
+import { played } from "./stage/clock.js";
 
 /** @param {ShellContext} context */
 export function listen({ store }) {
   addEventListener("keydown", (event) => {
-    if (event.defaultPrevented || event.altKey) return;
+    if (event.defaultPrevented) return;
     const key = event.key.toLowerCase();
     if (event.ctrlKey || event.metaKey) {
+      if (event.altKey) return;
       const redo = key === "y" || (key === "z" && event.shiftKey);
       if ((!redo && key !== "z") || hasOwnEdit(event.target)) return;
       event.preventDefault();
@@ -18,7 +20,10 @@ export function listen({ store }) {
       return;
     }
     if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
-    if (key === "p") store.set({ projector: !store.state.projector });
+    const change = event.target === document.body ? played(store.state, event) : null;
+    if (change) store.set(change);
+    else if (event.altKey) return;
+    else if (key === "p") store.set({ projector: !store.state.projector });
     else if (key === "?") document.querySelector("dialog")?.showModal();
     else return;
     event.preventDefault();

@@ -23,9 +23,10 @@ export function keepLink({ store, banner, t }, engine, damaged) {
     timer = 0;
     const { link } = store.state.report;
     keep("design", store.lastGood());
-    if (link === "" || link === fragment()) return;
-    lastWrite = performance.now();
+    if (link === "") return;
     written = link;
+    if (link === fragment()) return;
+    lastWrite = performance.now();
     try {
       history.replaceState(null, "", `#${link}`);
     } catch {
@@ -42,7 +43,7 @@ export function keepLink({ store, banner, t }, engine, damaged) {
     const pasted = fragment();
     if (pasted === "" || pasted === written) return;
     const read = engine.openLink(pasted);
-    if (read.error) return banner.show("banner.link", { reason: read.error.message }, pasted);
+    if (read.error) return banner.show("banner.link", () => ({ reason: engine.openLink(pasted).error?.message ?? "" }), pasted);
     banner.hide();
     store.replace(read.design, t("edit.link"));
   }
@@ -67,7 +68,7 @@ export function address(link) {
  * What the page opens with: the link, else what the user had, else a good example. A damaged link is told.
  * @param {{ openLink: (fragment: string) => Read, openFile: (text: string, notJson: string) => Read }} engine
  * @param {Design} example
- * @returns {{ design: Design, damaged?: { reason: string, raw: string } }}
+ * @returns {{ design: Design, damaged?: string }}  with the link that did not open
  */
 export function firstDesign(engine, example) {
   const raw = fragment();
@@ -76,5 +77,5 @@ export function firstDesign(engine, example) {
   const kept = recall("design");
   const had = kept === null ? null : engine.openFile(JSON.stringify(kept), "");
   const design = had?.design ?? example;
-  return read?.error ? { design, damaged: { reason: read.error.message, raw } } : { design };
+  return read?.error ? { design, damaged: raw } : { design };
 }

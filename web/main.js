@@ -66,7 +66,8 @@ async function start() {
   verdict.mount(element("verdict"), context);
   keys.listen(context);
   keepLink(context, engine, first.damaged !== undefined);
-  if (first.damaged) banner.show("banner.link", { reason: first.damaged.reason }, first.damaged.raw);
+  const { damaged } = first;
+  if (damaged) banner.show("banner.link", () => ({ reason: engine.openLink(damaged).error?.message ?? "" }), damaged);
 
   store.set({ playing: !matchMedia("(prefers-reduced-motion: reduce)").matches });
   store.subscribe(["language"], () => {

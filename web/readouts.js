@@ -4,10 +4,12 @@
  * @import { Context, Report, State } from "./types.d.ts"
  */
 import { h } from "./dom.js";
+import { decimalsOf } from "./stage/clock.js";
 import { AT, instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 
-const SIGNIFICANT = 4;
+const SIGNIFICANT = 5;
+const ANGLE_DIGITS = 2;
 const MOST_DIGITS = 9;
 /** Width of a letter of a unit, in figures. */
 const UNIT = 0.9;
@@ -83,13 +85,13 @@ export function mount(root, context) {
     for (const { reading, output, digits, element } of cells) {
       if (element.hidden) continue;
       const place = perSecond ? reading.placeTimed : reading.place;
-      const text = format.number(place < 0 ? cursor : at[place], { digits });
+      const text = place < 0 ? format.number(cursor, { digits: decimalsOf(store.state) }) : format.number(at[place], { digits });
       if (output.value !== text) output.value = text;
     }
   });
 
   store.subscribe(["report", "perSecond", "language"], lay);
-  store.subscribe(["cursor", "report", "perSecond", "language"], show);
+  store.subscribe(["cursor", "playing", "report", "perSecond", "language"], show);
   if (/** @type {State["report"] | undefined} */ (store.state.report)) {
     lay();
     show();
@@ -130,6 +132,6 @@ export function mount(root, context) {
  */
 function digitsOf(reading, report, perSecond) {
   const size = reading.size(report, perSecond);
-  if (!(size > 0) || reading.unit(report, perSecond) === "°") return 1;
+  if (!(size > 0) || reading.unit(report, perSecond) === "°") return ANGLE_DIGITS;
   return Math.min(Math.max(SIGNIFICANT - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
 }

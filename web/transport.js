@@ -5,7 +5,7 @@
  */
 import { h, write } from "./dom.js";
 import { parseNumber } from "./numbers.js";
-import { WHEEL, positionOf, rateAt, stepped, stride, turned, wrap } from "./stage/clock.js";
+import { WHEEL, decimalsOf, positionOf, rateAt, stepped, stride, turned, wrap } from "./stage/clock.js";
 import { closeFrame, metered } from "./stage/meter.js";
 
 /** Turns per second when nothing else is known. */
@@ -118,7 +118,7 @@ export function mount(root, { store, t, format }) {
   /** @param {boolean} [always]  also while the field is being typed in */
   function showAngle(always = false) {
     if (!always && document.activeElement === angle) return;
-    angle.value = format.angle(store.state.cursor);
+    angle.value = format.angle(store.state.cursor, decimalsOf(store.state));
   }
 
   const show = metered(() => {
@@ -132,6 +132,7 @@ export function mount(root, { store, t, format }) {
   store.subscribe(["playing", "language"], ({ playing }) => {
     play.textContent = t(playing ? "transport.pause" : "transport.play");
     play.dataset["state"] = playing ? "playing" : "paused";
+    showAngle();
     run();
   });
   store.subscribe(["rate", "language", "report"], showPace);

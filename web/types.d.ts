@@ -268,7 +268,8 @@ export interface ShellContext extends Context {
 }
 
 export interface Banner {
-  show(key: string, values?: Record<string, string>, raw?: string): void;
+  /** `values` as a function are asked for again in another language. */
+  show(key: string, values?: Record<string, string> | (() => Record<string, string>), raw?: string): void;
   hide(): void;
 }
 

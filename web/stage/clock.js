@@ -94,3 +94,20 @@ export function afterKey(cursor, event) {
       return null;
   }
 }
+
+/**
+ * Decimals that a cam angle is shown with: one while it runs by, and a second when it stands where one is not enough.
+ * @param {{ cursor: number, playing: boolean }} state
+ */
+export const decimalsOf = ({ cursor, playing }) => (playing || Math.round(cursor * 100) % 10 === 0 ? 1 : 2);
+
+/**
+ * The change that a key brings to the animation, or null when the key is not one of its own.
+ * @param {{ cursor: number, playing: boolean }} state
+ * @param {{ key: string, shiftKey: boolean, altKey: boolean }} event
+ */
+export function played({ cursor, playing }, event) {
+  if (event.key === " ") return { playing: !playing };
+  const next = afterKey(cursor, event);
+  return next === null ? null : { cursor: next, playing: false };
+}

@@ -4,7 +4,7 @@
  * @import { Store } from "../types.d.ts"
  * @import { View } from "./view.js"
  */
-import { afterKey, wrap } from "./clock.js";
+import { played, wrap } from "./clock.js";
 import { worldX, worldY } from "./view.js";
 
 /** What a notch of the wheel and a press of + or − multiply the scale by. */
@@ -137,11 +137,10 @@ export function handle(target) {
     if (event.key === "+" || event.key === "=") target.zoom(STEP, x, y);
     else if (event.key === "-") target.zoom(1 / STEP, x, y);
     else if (event.key === "0") target.fit();
-    else if (event.key === " ") store.set({ playing: !store.state.playing });
     else {
-      const cursor = afterKey(store.state.cursor, event);
-      if (cursor === null) return;
-      store.set({ cursor, playing: false });
+      const change = played(store.state, event);
+      if (!change) return;
+      store.set(change);
     }
     event.preventDefault();
   }
