@@ -1,8 +1,8 @@
 //! What an analysis tells the page, shaped for JavaScript.
 
 use crate::lab::Current;
-use levalab_core::{Body, Column, Element, Level};
-use levalab_format::report::Range;
+use levalab_core::{Body, Column, Element};
+use levalab_format::report::{Range, degrees, level_name};
 use levalab_format::{DesignCure, Edit, link};
 use levalab_words::Language;
 use serde::{Serialize, Serializer};
@@ -113,7 +113,7 @@ impl PageReport {
                 .summary
                 .least_convex
                 .filter(|place| place.0.is_finite())
-                .map(|(value, at)| Place { value, at: levalab_format::report::degrees(at) }),
+                .map(|(value, at)| Place { value, at: degrees(at) }),
             joints: report
                 .joints
                 .iter()
@@ -126,7 +126,7 @@ impl PageReport {
             borders: report.borders.clone(),
             omega,
             period: TAU / omega,
-            pressure_angle_limit: levalab_format::report::degrees(cam.follower.pressure_angle_limit()),
+            pressure_angle_limit: degrees(cam.follower.pressure_angle_limit()),
             mechanism: Mechanism::of(current),
             units: Units::of(current),
         }
@@ -163,7 +163,7 @@ impl Verdict {
         let Current { design, report, .. } = current;
         let findings = report.findings.iter().map(|finding| PageFinding {
             code: finding.kind.code(),
-            severity: level(finding.kind.severity()),
+            severity: level_name(finding.kind.severity()),
             theta: finding.theta,
             interval: finding.interval,
             places: finding.places.clone(),
@@ -172,7 +172,7 @@ impl Verdict {
             message: levalab_words::finding(language, design, finding),
         });
         Self {
-            level: level(report.level),
+            level: level_name(report.level),
             headline: levalab_words::headline(language, report),
             findings: findings.collect(),
         }
@@ -181,14 +181,6 @@ impl Verdict {
 
 fn as_map<S: Serializer>(ranges: &[(&'static str, Range)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(ranges.iter().copied())
-}
-
-fn level(level: Level) -> &'static str {
-    match level {
-        Level::Acceptable => "acceptable",
-        Level::LowSpeed => "low-speed",
-        Level::Unacceptable => "unacceptable",
-    }
 }
 
 impl Mechanism {
