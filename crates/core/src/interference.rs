@@ -4,8 +4,8 @@ use crate::analysis::finding;
 use crate::samples::Samples;
 use crate::{Body, Cam, Element, Finding, FindingKind, Point};
 
-/// Every how many samples an arm is tried against the profile: about two degrees.
-const ARM_STRIDE: usize = 4;
+/// In how many places of the turn an arm is tried against as many of the profile, however many stations are asked for.
+const ARM_PLACES: usize = 180;
 
 /// A cut shallower than this part of the base radius is rounding of a polygon, not a cut.
 const SHALLOWEST_CUT: f64 = 1e-6;
@@ -60,11 +60,12 @@ pub(crate) fn arm_cut(cam: &Cam, samples: &Samples) -> Option<Finding> {
     if !samples.star_shaped || radial {
         return None;
     }
-    let profile: Vec<Point> = samples.profile.iter().copied().step_by(ARM_STRIDE).collect();
+    let stride = (samples.profile.len() / ARM_PLACES).max(1);
+    let profile: Vec<Point> = samples.profile.iter().copied().step_by(stride).collect();
     let reach = profile.iter().map(Point::norm_sqr).fold(0.0, f64::max).sqrt();
     let sense = cam.follower.rotation.sigma();
     let mut worst = (SHALLOWEST_CUT * cam.follower.base_radius, 0.0);
-    for (k, i) in (0..samples.pitch.len()).step_by(ARM_STRIDE).enumerate() {
+    for (k, i) in (0..samples.pitch.len()).step_by(stride).enumerate() {
         // The arm in the cam's frame, where the profile stands still.
         let (from, turned) = (samples.pitch[i], samples.turns[i]);
         let along = match cam.follower.body {
