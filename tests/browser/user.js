@@ -31,7 +31,7 @@ function words(language, known) {
 }
 
 /** How long something may take that happens at once on an idle machine, ms. */
-const PATIENCE = 5000;
+const PATIENCE = 15_000;
 const PAUSE = 20;
 
 /** Published links: they open for ever. */
