@@ -56,6 +56,18 @@ fn find_wasm_compiler() -> Result<WasmCompiler> {
     })
 }
 
+/// Whether the standard library's source is there, or could be fetched: the shipped module is smaller when built with it.
+pub fn library_sources(compiler: &WasmCompiler) -> bool {
+    let Ok(sysroot) = sysroot() else { return false };
+    let source = sysroot.join("lib/rustlib/src/rust/library/Cargo.lock");
+    if source.is_file() || matches!(compiler, WasmCompiler::Debian { .. }) {
+        return true;
+    }
+    let mut rustup = process::program("rustup", ["component", "add", "rust-src"]);
+    run_told("adding the standard library's source by rustup, for a smaller module", &mut rustup).is_ok()
+        && source.is_file()
+}
+
 fn sysroot() -> Result<PathBuf> {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let path = output(&mut process::program(rustc, ["--print", "sysroot"])).context("rustc did not run")?;

@@ -2,7 +2,7 @@
 
 use std::{
     env,
-    ffi::OsString,
+    ffi::{OsStr, OsString},
     fs,
     path::{Path, PathBuf},
     process::Command,
@@ -46,7 +46,16 @@ const FEATURES: [&str; 6] = [
 ];
 
 /// Part of the stamp: raise it when the steps below change what they write.
-const RECIPE: &str = "2";
+const RECIPE: &str = "3";
+
+/// What makes the module smaller when the standard library is built from source with it: a panic stops at once instead of
+/// making a sentence that nobody reads, and carries neither places nor the `Debug` forms of values.
+const SMALL_FLAGS: [&str; 4] =
+    ["-Zunstable-options", "-Cpanic=immediate-abort", "-Zlocation-detail=none", "-Zfmt-debug=none"];
+
+/// The standard library's own choice of small code; its sines and copies stay fast.
+const SMALL_ARGUMENTS: [&str; 3] =
+    ["-Zbuild-std-features=optimize_for_size", "--config", "profile.release.package.compiler_builtins.opt-level=3"];
 
 /// The folder of the generated module.
 pub fn package() -> PathBuf {
@@ -68,19 +77,36 @@ pub fn build(build: Build) -> Result<()> {
     fs::write(&stamp_file, stamp).context("web/pkg/.stamp")
 }
 
+/// The module as it comes from the compiler: made small when it is shipped and the compiler can.
 fn compile(build: Build) -> Result<PathBuf> {
     let compiler = setup::wasm_compiler()?;
+    if build == Build::Shipped && setup::library_sources(&compiler) {
+        match compile_with(&compiler, build, true) {
+            Ok(module) => return Ok(module),
+            Err(error) => eprintln!("· {error:#}: once more with the standard library as it comes, a tenth larger"),
+        }
+    }
+    compile_with(&compiler, build, false)
+}
+
+fn compile_with(compiler: &WasmCompiler, build: Build, small: bool) -> Result<PathBuf> {
     let target = project::target()?;
     let (mut command, target) = match compiler {
+        WasmCompiler::Same if small => {
+            let mut command = process::cargo(["build", BUILD_STD]);
+            command.env("RUSTC_BOOTSTRAP", "1");
+            (command, target)
+        }
         WasmCompiler::Same => (process::cargo(["build"]), target),
         // Another compiler, so another folder: neither throws away the other's work.
-        WasmCompiler::Debian { linker } => (debian_cargo("build", &linker), target.join("debian")),
+        WasmCompiler::Debian { linker } => (debian_cargo("build", linker), target.join("debian")),
     };
     command
         .args(["--package", "levalab-wasm", "--lib", "--target", WASM, "--profile", build.profile()])
         .arg("--target-dir")
         .arg(&target)
-        .env("CARGO_ENCODED_RUSTFLAGS", flags());
+        .args(SMALL_ARGUMENTS.iter().filter(|_| small))
+        .env("CARGO_ENCODED_RUSTFLAGS", flags(small));
     told("compiling for the page", || run(&mut command))?;
     Ok(target.join(WASM).join(build.profile()).join("levalab_wasm.wasm"))
 }
@@ -95,9 +121,12 @@ pub fn debian_check(linker: &Path) -> Result<Command> {
     Ok(command)
 }
 
+/// Builds the standard library along with us.
+const BUILD_STD: &str = "-Zbuild-std=std,panic_abort";
+
 /// Debian's cargo and rustc, told to build the standard library as well.
 fn debian_cargo(task: &str, linker: &Path) -> Command {
-    let mut command = process::program("/usr/bin/cargo", [task, "-Zbuild-std=std,panic_abort"]);
+    let mut command = process::program("/usr/bin/cargo", [task, BUILD_STD]);
     command
         .env("RUSTC", "/usr/bin/rustc")
         .env("RUSTC_BOOTSTRAP", "1")
@@ -107,19 +136,17 @@ fn debian_cargo(task: &str, linker: &Path) -> Command {
     command
 }
 
-/// Compiler flags that keep this machine's folders out of the shipped file.
-fn flags() -> OsString {
-    let mut flags = OsString::new();
+/// Compiler flags that keep this machine's folders out of the shipped file, and those that make it small.
+fn flags(small: bool) -> OsString {
     let sources = dependency_folders().into_iter().chain([project::root().to_path_buf()]);
+    let mut flags: Vec<OsString> = SMALL_FLAGS.iter().filter(|_| small).map(OsString::from).collect();
     for folder in sources {
-        if !flags.is_empty() {
-            flags.push("\u{1f}");
-        }
-        flags.push("--remap-path-prefix=");
-        flags.push(folder);
-        flags.push("=.");
+        let mut flag = OsString::from("--remap-path-prefix=");
+        flag.push(folder);
+        flag.push("=.");
+        flags.push(flag);
     }
-    flags
+    flags.join(OsStr::new("\u{1f}"))
 }
 
 /// Where cargo unpacks the crates we depend on.
@@ -171,7 +198,7 @@ fn write_glue(module: &Path, folder: &Path) -> Result<()> {
 
 fn optimise(module: &Path) -> Result<()> {
     let mut command = process::node([project::npm_tool("binaryen/bin/wasm-opt")]);
-    command.arg("-O3").args(FEATURES).args(["--strip-producers", "--strip-target-features"]);
+    command.arg("-Oz").args(FEATURES).args(["--strip-producers", "--strip-target-features"]);
     command.arg(module).arg("-o").arg(module);
     run(&mut command)
 }
