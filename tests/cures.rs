@@ -39,7 +39,7 @@ fn lowest_jump(analysis: &Analysis) -> Option<u8> {
 fn with_laws(cam: &Cam, changes: &[(usize, &'static Law)]) -> Cam {
     let mut segments = cam.program.segments().to_vec();
     for &(k, law) in changes {
-        segments[k] = Segment { law, parameters: law.default_parameters(), ..segments[k] };
+        segments[k] = Segment { law, parameters: law.default_parameters(), ..segments[k].clone() };
     }
     Cam::new(Program::new(&segments).expect("a cure is a program"), cam.follower)
 }

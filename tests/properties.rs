@@ -2,8 +2,9 @@
 
 mod support;
 
+use levalab_core::law::{Condition, Data};
 use levalab_core::{
-    Analysis, Body, Cam, Column, Extremes, Finding, FindingKind, Follower, Motion, Program, Quantity, Segment,
+    Analysis, Body, Cam, Column, Extremes, Finding, FindingKind, Follower, Law, Motion, Program, Quantity, Segment,
     prescribe,
 };
 use proptest::prelude::*;
@@ -212,7 +213,12 @@ proptest! {
 fn scaled(cam: &Cam, k: f64) -> Cam {
     let follower = &cam.follower;
     let rises = if follower.kind.motion == Motion::Oscillating { 1.0 } else { k };
-    let segments = cam.program.segments().iter().map(|segment| Segment { rise: segment.rise * rises, ..*segment });
+    let larger = |segment: &Segment| Segment {
+        rise: segment.rise * rises,
+        data: segment.data.scaled(1.0, rises),
+        ..segment.clone()
+    };
+    let segments = cam.program.segments().iter().map(larger);
     let mut values = follower.values;
     for (value, parameter) in values.iter_mut().zip(follower.kind.parameters) {
         *value *= if parameter.quantity == Quantity::Length { k } else { 1.0 };
@@ -236,7 +242,18 @@ fn reversed(program: &Program) -> Program {
             (_, Some(stem)) => format!("{stem}-start"),
             _ => id.to_owned(),
         };
-        Segment { law: levalab_core::Law::by_id(&id).expect("halves come in pairs"), rise: -segment.rise, ..*segment }
+        let law = Law::by_id(&id).expect("halves come in pairs");
+        let data = match &segment.data {
+            Data::None => Data::None,
+            Data::Conditions(conditions) => {
+                let turned = |c: &Condition| {
+                    let sign = if c.order.is_multiple_of(2) { 1.0 } else { -1.0 };
+                    Condition { at: segment.beta - c.at, order: c.order, value: sign * c.value }
+                };
+                Data::Conditions(conditions.iter().map(turned).collect())
+            }
+        };
+        Segment { law, rise: -segment.rise, data, ..segment.clone() }
     };
     Program::new(&program.segments().iter().rev().map(backwards).collect::<Vec<_>>()).expect("as good as forwards")
 }

@@ -4,9 +4,9 @@
 
 mod support;
 
-use levalab_core::law::{ArgumentProblem, Arguments, Group, Law, Piece, Shape};
+use levalab_core::law::{Condition, Data, Law};
 use levalab_core::{
-    Analysis, Cam, Column, Curve, FindingKind, Follower, Level, Program, Rotation, Segment, smallest_base_radius,
+    Analysis, Cam, Column, FindingKind, Follower, Level, Program, Rotation, Segment, smallest_base_radius,
 };
 use std::f64::consts::{PI, TAU};
 use support::{column, degrees, follower, lengths};
@@ -31,8 +31,9 @@ fn assert_prints(what: &str, found: f64, printed: &str) {
 fn assert_coefficients_print(program: &Program, segment: usize, unit: f64, printed: &[&str]) {
     let stretch = program.stretches().iter().find(|stretch| stretch.segment == segment).expect("the segment");
     let (curve, ..) = stretch.formula();
-    assert_eq!(curve.coefficients().len(), printed.len());
-    for (k, (found, printed)) in curve.coefficients().iter().zip(printed).enumerate() {
+    let coefficients = curve.coefficients().expect("a polynomial");
+    assert_eq!(coefficients.len(), printed.len());
+    for (k, (found, printed)) in coefficients.iter().zip(printed).enumerate() {
         assert_prints(&format!("c{k}"), found * unit, printed);
     }
 }
@@ -134,23 +135,24 @@ fn r3_harmonic_beside_a_dwell() {
     assert_prints("ρp of the dwell", 1.0 / cam.at(150_f64.to_radians()).1.bend, "0.121");
 }
 
-/// y = x³: a law is a value, and one that the library does not know is as good as its own.
-static CUBE: Law = Law { id: "cube", group: Group::Standard, parameters: &[], shape: Shape::Unit(cube) };
-
-fn cube(_: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
-    Ok(vec![Piece { until: 1.0, curve: Curve::polynomial(&[0.0, 0.0, 0.0, 1.0]) }])
+/// A polynomial through conditions: (degrees from its start, order, value).
+fn through(degrees: f64, conditions: &[(f64, u8, f64)]) -> Segment {
+    let conditions = conditions.iter().map(|&(at, order, value)| Condition { at: at.to_radians(), order, value });
+    let law = Law::by_id("polynomial").expect("polynomial");
+    Segment { data: Data::Conditions(conditions.collect()), ..Segment::new(law, degrees.to_radians(), 0.0) }
 }
 
 #[test]
 fn r4_cubic_stretch_joined_by_a_quintic() {
     let of = |law: &str, beta, rise| Segment::of(law, beta, rise).expect(law);
     let program = Program::new(&[
-        Segment::new(&CUBE, 150_f64.to_radians(), 0.05),
+        through(150.0, &[(0.0, 0, 0.0), (0.0, 1, 0.0), (0.0, 2, 0.0), (150.0, 0, 0.05)]),
         of("polynomial-5", 60.0, 0.05),
         of("dwell", 60.0, 0.0),
         of("cycloidal", 90.0, -0.1),
     ]);
-    let program = program.expect("a program with a law of one's own");
+    let program = program.expect("a program");
+    assert_coefficients_print(&program, 0, 1.0, &["0.0000", "0.0000", "0.0000", "0.0500"]);
     assert_coefficients_print(&program, 1, 1.0, &["0.05", "0.06", "0.024", "0.068", "-0.198", "0.096"]);
     let cam = Cam::new(program, radial_roller(0.125, 0.025));
     let analysis = Analysis::of(&cam, 720);
@@ -164,6 +166,37 @@ fn r4_cubic_stretch_joined_by_a_quintic() {
     assert_prints("v at 315°", motion.v, "-0.127324");
     assert_prints("V at 315°", motion.v * TWENTY_RPM, "-0.26667");
     assert_prints("ρp at 315°", 1.0 / contact.bend, "0.18402");
+}
+
+#[test]
+fn r6_gait_simulator() {
+    const OMEGA: f64 = 12.566;
+    let mut conditions =
+        vec![(0.0, 0, 0.0), (56.88, 0, 1.177), (123.84, 0, 0.847), (198.72, 0, 1.139), (256.32, 0, 0.0)];
+    conditions.extend([(0.0, 1, 0.0), (0.0, 2, 0.0), (256.32, 1, 0.0), (256.32, 2, 0.0)]);
+    let dwell = Segment::of("dwell", 103.68, 0.0).expect("dwell");
+    let program = Program::new(&[through(256.32, &conditions), dwell]).expect("a program");
+    // Printed 612.721, −4057.255, 10696.565, −13873.375, 8822.470, −2201.126, from less rounded data.
+    let printed = ["0.00", "0.00", "0.00", "612.67", "-4057.05", "10696.41", "-13873.63", "8822.87", "-2201.28"];
+    assert_coefficients_print(&program, 0, 1.0, &printed);
+    assert!(program.doubts().is_empty());
+
+    let cam = Cam::new(program, radial_roller(2.0, 1.0));
+    let analysis = Analysis::of(&cam, 720);
+    let summary = &analysis.summary;
+    assert_prints("s max", summary.s.max, "1.34668");
+    assert_prints("where s is greatest", summary.s.max_at.to_degrees(), "74.39");
+    assert_prints("V max", summary.v.max * OMEGA, "22.547");
+    assert_prints("where V is greatest", summary.v.max_at.to_degrees(), "37.2");
+    assert_prints("V min", summary.v.min * OMEGA, "-21.578");
+    assert_prints("A max", summary.a.max * OMEGA * OMEGA, "685.45");
+    assert_prints("A min", summary.a.min * OMEGA * OMEGA, "-594.11");
+    assert_prints("φ max", summary.pressure_angle.max.to_degrees(), "26.57");
+    assert_prints("φ min", summary.pressure_angle.min.to_degrees(), "-25.75");
+    let stiffness = 30.0 * (PI * 0.75 * 0.75).powi(2);
+    assert_prints("K", stiffness, "93.684");
+    assert_prints("F max", stiffness * summary.s.max, "126.16");
+    assert!(kinds(&analysis).iter().all(|kind| *kind == FindingKind::Jump(3)), "smooth but for its jerk");
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn ends(segment: &Segment) -> Option<Ends> {
         "double-harmonic" if segment.rise < 0.0 => plain([0.0, pi2, 0.0], [0.0; 3]),
         "double-harmonic" => plain([0.0; 3], [0.0, -pi2, 0.0]),
         "cycloidal" => plain([0.0, 0.0, 4.0 * pi2], [0.0, 0.0, 4.0 * pi2]),
-        "polynomial-3-4-5" => plain([0.0, 0.0, 60.0], [0.0, 0.0, 60.0]),
+        "polynomial-3-4-5" | "polynomial" => plain([0.0, 0.0, 60.0], [0.0, 0.0, 60.0]),
         "modified-trapezoidal" => sine_constant_cosine(0.25, 0.5),
         "modified-sine" => sine_constant_cosine(0.25, 0.0),
         "scca" => sine_constant_cosine(segment.parameters[0], segment.parameters[1]),
@@ -227,5 +227,7 @@ fn a_segment_that_cannot_be_is_refused_at_its_place() {
     }
     let many = vec![Segment::of("dwell", 360.0 / 65.0, 0.0).expect("dwell"); 65];
     assert_eq!(Program::new(&many).expect_err("too many").problem, ProgramProblem::Count { found: 65 });
-    assert!(Program::new(&many[..64].iter().map(|s| Segment { beta: TAU / 64.0, ..*s }).collect::<Vec<_>>()).is_ok());
+    assert!(
+        Program::new(&many[..64].iter().map(|s| Segment { beta: TAU / 64.0, ..s.clone() }).collect::<Vec<_>>()).is_ok()
+    );
 }

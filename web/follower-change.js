@@ -3,7 +3,9 @@
  *
  * @import { Design, Follower, FollowerEntry, Parameter } from "./types.d.ts"
  */
-import { clean, heightAt } from "./program.js";
+import { clean } from "./clean.js";
+import { scaleHeights, setEnd, statedEnd } from "./free-data.js";
+import { heightAt } from "./program.js";
 
 /** An oscillating follower that swings more than this is out of the ordinary. */
 const LARGEST_SWING = 30;
@@ -74,6 +76,8 @@ function convertRises(draft, divisor) {
   const rounded = heights.map((height) => Math.round((height * shrink) / unit) * unit);
   draft.segments.forEach((segment, index) => {
     if (segment.rise) segment.rise = clean((rounded[index + 1] ?? 0) - (rounded[index] ?? 0));
+    scaleHeights(segment, shrink / divisor);
+    if (statedEnd(segment) !== undefined) setEnd(segment, clean(rounded[index + 1] ?? 0));
   });
 }
 

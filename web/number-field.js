@@ -24,6 +24,7 @@ const AT_REST = 7;
  * @property {() => string} unit
  * @property {(design: Readonly<Design>) => number | undefined} read
  * @property {(draft: Design, value: number) => void} write
+ * @property {(draft: Design) => void} [clear]  makes nothing of it: then the field may be left empty
  * @property {(design: Readonly<Design>) => number} step
  * @property {() => string} path        where the engine's errors point
  * @property {() => import("./types.d.ts").Highlight} highlight
@@ -33,7 +34,7 @@ const AT_REST = 7;
  * @param {ShellContext} context
  * @param {Options} options
  */
-export function createNumberField({ store, t }, { id, name, label, unit, read, write, step, path, highlight }) {
+export function createNumberField({ store, t }, { id, name, label, unit, read, write, clear, step, path, highlight }) {
   const errorId = `${id}-error`;
   const input = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", class: "number" });
   const unitNode = h("span", { class: "unit", id: `${id}-unit` });
@@ -91,7 +92,16 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     input.toggleAttribute("data-pending", pending !== null);
   }
 
+  /** @param {string} gesture */
+  function empty(gesture) {
+    pending = null;
+    shown = undefined;
+    if (clear && current() !== undefined) store.edit(t("edit.field", { name: name() }), clear, { gesture });
+    update(store.state);
+  }
+
   function typed() {
+    if (clear && input.value.trim() === "") return empty(session);
     const reading = parseNumber(input.value, unit());
     if (reading.problem) {
       pending = { text: input.value, problem: reading.problem };
@@ -166,8 +176,11 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   /** @param {Readonly<State>} state */
   function update(state) {
     const value = read(state.design);
-    if (value === undefined) return;
-    if (value !== shown) {
+    if (value === undefined) {
+      if (!clear || pending) return;
+      if (shown !== undefined) input.value = "";
+      shown = undefined;
+    } else if (value !== shown) {
       pending = null;
       show(value);
     }

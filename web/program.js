@@ -1,25 +1,22 @@
 /**
  * Book-keeping of the motion program: what is left of the turn, and the one-click ways to complete it.
  *
- * @import { Design, Segment } from "./types.d.ts"
+ * @import { Design, LawEntry, Segment } from "./types.d.ts"
  */
+import { clean } from "./clean.js";
+import { fitted, setBeta, setEnd, statedEnd } from "./free-data.js";
 
 const TURN = 360;
 
-/** Sums of typed decimals carry a noise of some 1e-14; twelve digits tell a real difference from it. */
-const DIGITS = 12;
-
-/** Differences below this are that noise, not something left to do. */
-const NOISE = 1e-9;
-
-/** @param {number} value */
-export function clean(value) {
-  const rounded = Number(value.toPrecision(DIGITS));
-  return Math.abs(rounded) < NOISE ? 0 : rounded;
-}
-
 /** @param {Segment} segment */
 const riseOf = (segment) => segment.rise ?? 0;
+
+/**
+ * Height at which a segment ends that begins at `start`.
+ * @param {number} start
+ * @param {Segment} segment
+ */
+const endOf = (start, segment) => statedEnd(segment) ?? start + riseOf(segment);
 
 /** @param {Design} design */
 export function degreesLeft(design) {
@@ -31,7 +28,7 @@ export function degreesLeft(design) {
  * @param {Design} design
  */
 export function heightAt(design, index = design.segments.length) {
-  return clean(design.segments.slice(0, index).reduce((sum, segment) => sum + riseOf(segment), 0));
+  return clean(design.segments.slice(0, index).reduce(endOf, 0));
 }
 
 /** @param {Design} design */
@@ -74,7 +71,7 @@ export function canStretchLast(draft) {
  */
 export function stretchLast(draft) {
   const last = draft.segments.at(-1);
-  if (last) last.beta = clean(last.beta + degreesLeft(draft));
+  if (last) setBeta(last, clean(last.beta + degreesLeft(draft)));
 }
 
 /**
@@ -83,7 +80,7 @@ export function stretchLast(draft) {
  */
 export function spread(draft) {
   const factor = TURN / (TURN - degreesLeft(draft));
-  for (const segment of draft.segments) segment.beta = Math.round(segment.beta * factor * 100) / 100;
+  for (const segment of draft.segments) setBeta(segment, Math.round(segment.beta * factor * 100) / 100);
   stretchLast(draft);
 }
 
@@ -92,8 +89,16 @@ export function spread(draft) {
  * @param {Design} draft
  */
 export function closeWithLastMove(draft) {
-  const last = draft.segments.findLast((segment) => riseOf(segment) !== 0);
-  if (last) last.rise = clean(riseOf(last) - heightAt(draft));
+  const index = lastMove(draft);
+  const last = draft.segments[index];
+  if (!last) return;
+  const end = clean(heightAt(draft, index + 1) - heightAt(draft));
+  if (!setEnd(last, end)) last.rise = clean(end - heightAt(draft, index));
+}
+
+/** @param {Readonly<Design>} design */
+export function lastMove(design) {
+  return design.segments.findLastIndex((segment) => riseOf(segment) !== 0 || statedEnd(segment) !== undefined);
 }
 
 /**
@@ -110,7 +115,7 @@ export function insert(draft, index, neighbour) {
     return;
   }
   const half = clean(giver.beta / 2);
-  giver.beta = clean(giver.beta - half);
+  setBeta(giver, clean(giver.beta - half));
   draft.segments.splice(index, 0, dwell(half));
 }
 
@@ -146,14 +151,18 @@ export function remove(draft, index) {
  * high as the program does, or down from there.
  * @param {Design} draft
  * @param {number} index
- * @param {{ id: string, moves: boolean, parameters: { key: string, default: number | null }[] }} law
+ * @param {Pick<LawEntry, "id" | "moves" | "free"> & { parameters: { key: string, default: number | null }[] }} law
  */
 export function changeLaw(draft, index, law) {
   const old = draft.segments[index];
   if (!old) return;
   /** @type {Segment} */
-  const next = { law: law.id, beta: old.beta, rise: law.moves ? riseOf(old) : 0 };
-  if (law.moves && next.rise === 0) next.rise = likelyRise(draft, index);
+  const next = { law: law.id, beta: old.beta };
+  const start = heightAt(draft, index);
+  const kept = law.moves ? clean(endOf(start, old) - start) : 0;
+  const rise = law.moves && kept === 0 ? likelyRise(draft, index) : kept;
+  if (law.free) next[law.free.key] = old[law.free.key] ?? fitted(law.free.first, { beta: old.beta, start, rise });
+  else next.rise = rise;
   for (const { key, default: usual } of law.parameters) {
     const value = old[key] ?? usual;
     if (value !== null) next[key] = value;

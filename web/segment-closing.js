@@ -59,7 +59,7 @@ export function createClosing({ store, t, format }, texts, add) {
     stretch.hidden = !(left > 0);
     shorten.hidden = !(left < 0 && program.canStretchLast(design));
     spread.hidden = left === 0 || left >= 360;
-    close.hidden = !(height !== 0 && left <= 0 && design.segments.some(({ rise }) => (rise ?? 0) !== 0));
+    close.hidden = !(height !== 0 && left <= 0 && program.lastMove(design) >= 0);
     fixes.hidden = [...fixes.children].every((button) => button instanceof HTMLElement && button.hidden);
 
     sum.textContent = sentence(left, height, riseUnit(design));

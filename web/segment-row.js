@@ -2,12 +2,15 @@
  * One segment of the program on one line: its place, law, angle and rise.
  *
  * @import { Catalogue, LawEntry, Segment, ShellContext } from "./types.d.ts"
+ * @import { FreeEditor } from "./free-editor.js"
  * @import { NumberField } from "./number-field.js"
  */
+import { clean } from "./clean.js";
 import { h, symbol } from "./dom.js";
+import { setBeta } from "./free-data.js";
 import { createThumbnail } from "./law-thumbnail.js";
 import { createNumberField, lengthStep } from "./number-field.js";
-import { changeLaw } from "./program.js";
+import { changeLaw, heightAt } from "./program.js";
 
 let rows = 0;
 
@@ -26,6 +29,8 @@ export function createSegmentRow(context, actions) {
   let law;
   /** @type {{ key: string, field: NumberField }[]} */
   let extras = [];
+  /** @type {FreeEditor | null} */
+  let editor = null;
   let shown = "";
 
   const number = () => ({ number: index + 1 });
@@ -41,7 +46,10 @@ export function createSegmentRow(context, actions) {
     name: () => t("segments.beta.of", number()),
     unit: () => "°",
     read: (design) => design.segments[index]?.beta,
-    write: (draft, value) => set(draft.segments[index], "beta", value),
+    write: (draft, value) => {
+      const segment = draft.segments[index];
+      if (segment) setBeta(segment, value);
+    },
     step: () => 1,
     path: () => `segments[${index}].beta`,
     highlight: () => ({ segment: index }),
@@ -50,7 +58,7 @@ export function createSegmentRow(context, actions) {
     id: `${id}-rise`,
     name: () => t("segments.rise.of", number()),
     unit: () => riseUnit(store.state.design),
-    read: (design) => design.segments[index] && (design.segments[index].rise ?? 0),
+    read: (design) => (law?.free ? clean(heightAt(design, index + 1) - heightAt(design, index)) : design.segments[index] && (design.segments[index].rise ?? 0)),
     write: (draft, value) => set(draft.segments[index], "rise", value),
     step: (design) => (design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
     path: () => `segments[${index}].rise`,
@@ -108,7 +116,21 @@ export function createSegmentRow(context, actions) {
       ...extras.map(({ field }) => field.error),
     );
     root.classList.toggle("still", next !== undefined && !next.moves);
-    rise.input.disabled = next !== undefined && !next.moves;
+    rise.input.disabled = next !== undefined && (!next.moves || next.free !== null);
+    editor = null;
+    if (next?.free) void openEditor(next);
+  }
+
+  /**
+   * The editor of a free law's data comes when the first such law does.
+   * @param {LawEntry} of
+   */
+  async function openEditor(of) {
+    const { createFreeEditor } = await import("./free-editor.js");
+    if (law !== of || editor) return;
+    editor = createFreeEditor(context, of, { id, index: () => index });
+    parameters.append(editor.root);
+    editor.update(store.state);
   }
 
   function speak() {
@@ -117,6 +139,7 @@ export function createSegmentRow(context, actions) {
     more.setAttribute("aria-label", t("segments.actions", number()));
     more.title = more.ariaLabel ?? "";
     for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.speak();
+    editor?.speak();
     if (law) lawSelect.value = law.id;
   }
 
@@ -145,6 +168,7 @@ export function createSegmentRow(context, actions) {
     grip.setAttribute("aria-label", name);
     grip.title = name;
     for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.update(store.state);
+    editor?.update(store.state);
     tell(wrong && isOwn(wrong.path) ? wrong.message : null);
   }
 
@@ -152,7 +176,7 @@ export function createSegmentRow(context, actions) {
   function isOwn(path) {
     const own = `segments[${index}]`;
     if (path !== own && !path.startsWith(`${own}.`)) return false;
-    return ![`${own}.beta`, `${own}.rise`, ...extras.map(({ key }) => `${own}.${key}`)].includes(path);
+    return ![`${own}.beta`, `${own}.rise`, ...extras.map(({ key }) => `${own}.${key}`), ...(editor?.paths() ?? [])].includes(path);
   }
 
   /** @param {string | null} message */
@@ -176,6 +200,7 @@ export function createSegmentRow(context, actions) {
     reset() {
       shown = "";
       for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.reset();
+      editor?.reset();
     },
   };
   return row;

@@ -15,13 +15,24 @@ export interface Parameter {
 
 export interface LawEntry {
   id: string;
-  group: "basic" | "standard" | "half" | "matched";
+  group: "basic" | "standard" | "half" | "matched" | "free";
   /** False for a law that keeps the height. */
   moves: boolean;
   parameters: Parameter[];
   /** Acceleration at even steps of the segment, scaled to −1…1. */
   thumbnail: number[];
+  /** The field that the law is made from, and what it starts with over β = 1 from 0 to 1. */
+  free: { key: string; first: Conditions } | null;
 }
+
+/** A value of s, v, a or j (order 0 to 3) at a place in a segment, degrees from its start. */
+export interface Condition {
+  at: number;
+  order: number;
+  value: number;
+}
+
+export type Conditions = Condition[];
 
 export interface FollowerEntry {
   id: string;
@@ -52,8 +63,10 @@ export interface Follower {
 export interface Segment {
   law: string;
   beta: number;
-  rise: number;
-  [parameter: string]: number | string;
+  /** Not told where the law's own data say where it ends. */
+  rise?: number;
+  conditions?: Conditions;
+  [parameter: string]: number | string | Conditions | undefined;
 }
 
 /** The design file `levalab/1` as a plain object. */
@@ -180,6 +193,8 @@ export interface Lab {
   cures(language: Language): Cure[][];
   column(name: ColumnName): Float64Array;
   at(theta: number, out: Float64Array): void;
+  /** s, v, a, j before and after border `border` (0 is θ = 0): eight numbers, per radian; none without a cam. */
+  limits(border: number): Float64Array;
   draw(canvas: HTMLCanvasElement, diagram: Diagram, style: ChartStyle): PlotArea;
   svg(diagram: Diagram, style: ChartStyle): string;
 }

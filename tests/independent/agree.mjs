@@ -53,6 +53,24 @@ export function random(seed) {
 }
 
 /**
+ * Conditions that lead from a height to another, with some derivatives at the ends and a point between them at times.
+ * @param {() => number} u
+ * @param {number} beta
+ * @param {number} start
+ * @param {number} end
+ */
+function conditions(u, beta, start, end) {
+  const list = [{ at: 0, order: 0, value: start }, { at: beta, order: 0, value: end }];
+  for (const at of [0, beta]) {
+    // Every order up to one, which always has a solution.
+    const orders = Math.floor(4 * u());
+    for (let order = 1; order <= orders; order++) list.push({ at, order, value: u() < 0.5 ? 0 : 20 * (2 * u() - 1) });
+  }
+  if (u() < 0.5) list.push({ at: beta * (0.2 + 0.6 * u()), order: 0, value: 15 * u() });
+  return list;
+}
+
+/**
  * A cycle of two to seven segments; half of them begin on whole degrees, where rows lie on joints.
  * @param {() => number} u
  * @param {number} lift
@@ -73,7 +91,8 @@ function segments(u, lift) {
     const target = last ? 0 : law === "dwell" ? height : Math.round(lift * u() * 1000) / 1000;
     const b = u();
     const own = law === "scca" ? { b, c: (1 - b) * u() } : {};
-    list.push({ law, beta, rise: target - height, ...own });
+    if (law === "polynomial") list.push({ law, beta, conditions: conditions(u, beta, height, target) });
+    else list.push({ law, beta, rise: target - height, ...own });
     [angle, height] = [angle + beta, target];
   }
   return list;

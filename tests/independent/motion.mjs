@@ -2,7 +2,7 @@
 // A state is [y, y′, y″, y‴]; laws are functions of x ∈ [0, 1), values on an inner joint being limits from the right.
 
 /** @typedef {[number, number, number, number]} State */
-/** @typedef {{ law: string, beta: number, rise?: number, [parameter: string]: number | string | undefined }} Segment */
+/** @typedef {{ law: string, beta: number, rise?: number, [parameter: string]: unknown }} Segment */
 
 const { PI, sin, cos } = Math;
 const TAU = 2 * PI;
@@ -104,6 +104,50 @@ const LAWS = {
   "half-cycloidal-end": (x) => [x + sin(PI * x) / PI, 1 + cos(PI * x), -PI * sin(PI * x), -(PI ** 2) * cos(PI * x)],
 };
 
+/**
+ * The polynomial through a segment's conditions, by elimination in powers of x; in the units of the design, per radian.
+ * @param {Segment} segment
+ * @returns {(x: number) => State}
+ */
+function throughConditions({ beta, conditions }) {
+  const radians = (beta * PI) / 180;
+  const list = /** @type {{ at: number, order: number, value: number }[]} */ (conditions);
+  const rows = list.map(({ at, order, value }) => {
+    const row = list.map((_, k) => {
+      let factor = k < order ? 0 : (at / beta) ** (k - order);
+      for (let i = 0; i < order; i++) factor *= k - i;
+      return factor;
+    });
+    return [...row, value * radians ** order];
+  });
+  const state = polynomial(eliminate(rows));
+  return (x) => /** @type {State} */ (state(x).map((value, order) => value / radians ** order));
+}
+
+/**
+ * Gauss's elimination with the greatest pivot of each column; the last entry of a row is its right-hand side.
+ * @param {number[][]} rows
+ */
+function eliminate(rows) {
+  const n = rows.length;
+  for (let k = 0; k < n; k++) {
+    const pivot = rows.slice(k).reduce((best, row, i) => (Math.abs(row[k]) > Math.abs(rows[best][k]) ? k + i : best), k);
+    [rows[k], rows[pivot]] = [rows[pivot], rows[k]];
+    for (let i = 0; i < n; i++) {
+      if (i === k) continue;
+      const factor = rows[i][k] / rows[k][k];
+      for (let c = k; c <= n; c++) rows[i][c] -= factor * rows[k][c];
+    }
+  }
+  return rows.map((row, k) => row[n] / row[k]);
+}
+
+/**
+ * Laws that give s itself, above the base circle, and so say for themselves where they begin and end.
+ * @type {Record<string, (segment: Segment) => (x: number) => State>}
+ */
+const ABSOLUTE = { polynomial: throughConditions };
+
 /** Laws that take their end conditions from their neighbours, with Hermite's closed forms of their coefficients. */
 const MATCHED = {
   /** @param {State} start @param {State} end */
@@ -129,7 +173,7 @@ const MATCHED = {
   },
 };
 
-export const FREE_LAWS = Object.keys(LAWS);
+export const FREE_LAWS = [...Object.keys(LAWS), ...Object.keys(ABSOLUTE)];
 export const MATCHED_LAWS = Object.keys(MATCHED);
 
 /** @param {Segment} segment @returns {segment is Segment & { law: keyof typeof MATCHED }} */
@@ -143,13 +187,16 @@ const isMatched = (segment) => segment.law in MATCHED;
 export function motion(segments) {
   const starts = [0];
   const heights = [0];
-  for (const { beta, rise = 0 } of segments) {
+  const absolute = segments.map((segment) => ABSOLUTE[segment.law]?.(segment));
+  for (const [k, { beta, rise = 0 }] of segments.entries()) {
     starts.push(starts[starts.length - 1] + beta);
-    heights.push(heights[heights.length - 1] + rise);
+    heights.push(absolute[k]?.(1)[0] ?? heights[heights.length - 1] + rise);
   }
   /** @param {number} k @param {number} x @returns {State} */
   const free = (k, x) => {
     const { law, beta, rise = 0 } = segments[k];
+    const own = absolute[k];
+    if (own) return own(x);
     const radians = (beta * PI) / 180;
     const unit = LAWS[law](x, segments[k]);
     return /** @type {State} */ (unit.map((value, order) => (order === 0 ? heights[k] : 0) + (rise * value) / radians ** order));

@@ -51,6 +51,7 @@ fn fit(drafts: &[Draft], lift: f64) -> Vec<Segment> {
             target * lift
         };
         let mut segment = Segment::new(law, share / sum * TAU, target - height);
+        segment.data = law.first_data(segment.beta, height, target - height);
         if law.parameters.len() == 2 {
             segment.parameters = [b, c * (1.0 - b)];
         }

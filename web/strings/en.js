@@ -114,6 +114,7 @@ export const en = {
   "group.standard": "Standard",
   "group.half": "Halves, to join stretches",
   "group.matched": "Matched to their neighbours",
+  "group.free": "Free",
 
   "law.dwell": "Dwell",
   "law.constant-velocity": "Constant velocity",
@@ -134,6 +135,7 @@ export const en = {
   "law.half-cycloidal-end": "Half cycloidal (end)",
   "law.polynomial-5": "Polynomial, degree 5",
   "law.polynomial-7": "Polynomial, degree 7",
+  "law.polynomial": "Polynomial, conditions",
 
   "segments.law": "Law",
   "segments.law.of": "Law of segment {number}",

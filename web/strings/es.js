@@ -114,6 +114,7 @@ export const es = {
   "group.standard": "Normalizadas",
   "group.half": "Mitades, para enlazar tramos",
   "group.matched": "Ajustadas a sus vecinas",
+  "group.free": "Libres",
 
   "law.dwell": "Detenimiento",
   "law.constant-velocity": "Velocidad constante",
@@ -134,6 +135,7 @@ export const es = {
   "law.half-cycloidal-end": "Semicicloidal (final)",
   "law.polynomial-5": "Polinómica, grado 5",
   "law.polynomial-7": "Polinómica, grado 7",
+  "law.polynomial": "Polinómica, por condiciones",
 
   "segments.law": "Ley",
   "segments.law.of": "Ley del tramo {number}",

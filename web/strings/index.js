@@ -14,6 +14,15 @@ import { stageEs } from "./stage.es.js";
 /** @type {Record<Language, Record<string, Phrase>>} */
 const LANGUAGES = { en: { ...en, ...stageEn }, es: { ...es, ...stageEs } };
 
+/**
+ * The words of a part of the page that is loaded when it is first asked for.
+ * @param {Record<Language, Record<string, Phrase>>} more
+ */
+export function addStrings(more) {
+  Object.assign(LANGUAGES.en, more.en);
+  Object.assign(LANGUAGES.es, more.es);
+}
+
 /** @type {Record<Language, Intl.PluralRules>} */
 const PLURAL = { en: new Intl.PluralRules("en"), es: new Intl.PluralRules("es") };
 

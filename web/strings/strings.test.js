@@ -5,12 +5,14 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { en } from "./en.js";
 import { es } from "./es.js";
+import { freeEn } from "./free.en.js";
+import { freeEs } from "./free.es.js";
 import { createTranslate, firstLanguage } from "./index.js";
 import { stageEn } from "./stage.en.js";
 import { stageEs } from "./stage.es.js";
 
-const english = { ...en, ...stageEn };
-const spanish = { ...es, ...stageEs };
+const english = { ...en, ...stageEn, ...freeEn };
+const spanish = { ...es, ...stageEs, ...freeEs };
 const web = fileURLToPath(new URL("..", import.meta.url));
 
 /** Every script of the page but the strings themselves and the tests, as one text. */

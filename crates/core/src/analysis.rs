@@ -3,7 +3,7 @@
 use crate::extreme::{extremes, intervals};
 use crate::interference::{arm_cut, crossing};
 use crate::samples::{Quantity, Samples};
-use crate::{Body, Cam, Extremes, Finding, FindingKind, Joint, Level, Point};
+use crate::{Body, Cam, Extremes, Finding, FindingKind, Joint, Level, Point, Program};
 use std::f64::consts::TAU;
 
 /// |φ| may pass its limit by this much (radians), which is rounding: a cure that is solved for lands on the limit.
@@ -184,6 +184,7 @@ fn radii(curvature: &Extremes, radius: f64) -> Extremes {
 fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> Vec<Finding> {
     let (mild, mut findings): (Vec<Finding>, Vec<Finding>) =
         jumps(joints).into_iter().partition(|finding| finding.kind.severity() < Level::Unacceptable);
+    findings.extend(doubtful(&cam.program));
     findings.extend(steep(cam, samples, summary));
     findings.extend(below_base(cam, samples, summary));
     let cuts = irregular(cam, samples, summary);
@@ -216,6 +217,14 @@ fn jumps(joints: &[Joint]) -> Vec<Finding> {
         })
     };
     (0..4).filter_map(of_order).collect()
+}
+
+/// Free laws whose curve is not to be trusted.
+fn doubtful(program: &Program) -> impl Iterator<Item = Finding> {
+    program.doubts().iter().map(|doubt| {
+        let stretch = (program.borders()[doubt.segment], program.borders()[doubt.segment + 1]);
+        finding(FindingKind::Doubtful, stretch.0, doubt.condition, doubt.limit, Some(stretch))
+    })
 }
 
 fn steep(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {

@@ -38,7 +38,7 @@ const WORTHWHILE: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// for an eccentricity that does not suffice, the pressure angle is lower.
 #[must_use]
 pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
-    let geometric = |finding: &Finding| !matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase);
+    let geometric = |finding: &Finding| !finding.kind.is_of_the_motion();
     let sound = !analysis.findings.iter().any(geometric);
     let size = if sound { None } else { smallest_base_radius(cam) };
     let low = analysis.findings.iter().any(|finding| finding.kind == FindingKind::BelowBase);
@@ -46,6 +46,7 @@ pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
         FindingKind::Jump(order) => {
             law_cures(cam, spared(sound, low), |trial| trial.lowest_jump.is_none_or(|jump| jump > order))
         }
+        FindingKind::Doubtful => Vec::new(),
         FindingKind::BelowBase => law_cures(cam, spared(sound, false), |trial| !trial.below_base),
         FindingKind::PressureAngle => {
             size.map(Cure::BaseRadius).into_iter().chain(eccentricity(cam, finding)).collect()
@@ -69,8 +70,7 @@ fn eccentricity(cam: &Cam, finding: &Finding) -> Option<Cure> {
     let moved = Cam::new(cam.program.clone(), cam.follower.with_value(index, value).ok()?);
     let analysis = Analysis::of(&moved, 720);
     let pressure_angle = analysis.summary.pressure_angle.greatest_size().0;
-    let motion_or_angle =
-        |f: &Finding| matches!(f.kind, FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::PressureAngle);
+    let motion_or_angle = |f: &Finding| f.kind.is_of_the_motion() || f.kind == FindingKind::PressureAngle;
     let worthwhile = analysis.findings.iter().all(motion_or_angle) && pressure_angle < finding.value - WORTHWHILE;
     worthwhile.then_some(Cure::Eccentricity { value, pressure_angle })
 }
@@ -80,7 +80,7 @@ fn eccentricity(cam: &Cam, finding: &Finding) -> Option<Cure> {
 fn spared(sound: bool, low: bool) -> impl Fn(&Cam) -> bool {
     move |cam| {
         Analysis::of(cam, LEAST_STEPS).findings.iter().all(|finding| match finding.kind {
-            FindingKind::Jump(_) => true,
+            FindingKind::Jump(_) | FindingKind::Doubtful => true,
             FindingKind::BelowBase => low,
             _ => !sound,
         })
@@ -101,7 +101,7 @@ struct Trial {
 fn law_cures(cam: &Cam, harmless: impl Fn(&Cam) -> bool, cured: impl Fn(&Trial) -> bool) -> Vec<Cure> {
     let blamed = blamed_segments(&cam.program);
     let mut trials: Vec<Trial> = Vec::new();
-    for law in LAWS.iter().copied().filter(|law| !law.is_dwell()) {
+    for law in LAWS.iter().copied().filter(|law| !law.is_dwell() && law.free().is_none()) {
         trials.extend(attempt(&cam.program, blamed.iter().map(|&k| (k, law)).collect()));
         if blamed.len() > 1 {
             trials.extend(blamed.iter().filter_map(|&k| attempt(&cam.program, vec![(k, law)])));
@@ -151,7 +151,7 @@ fn attempt(program: &Program, changes: Vec<(usize, &'static Law)>) -> Option<Tri
         return None;
     }
     for &(k, law) in &changes {
-        changed[k] = Segment { parameters: law.default_parameters(), law, ..changed[k] };
+        changed[k] = Segment::new(law, changed[k].beta, changed[k].rise);
     }
     let program = Program::new(&changed).ok()?;
     Some(Trial {

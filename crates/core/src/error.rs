@@ -1,9 +1,10 @@
 //! What cannot be a cam, and why. Words for people are made elsewhere; here are the facts.
 
+use crate::law::DataProblem;
 use std::fmt;
 
 /// Why a cam cannot be built.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum CamError {
     /// The motion program cannot be.
     Program(ProgramError),
@@ -12,7 +13,7 @@ pub enum CamError {
 }
 
 /// What is wrong with a motion program, and the segment to look at.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ProgramError {
     /// Index of the segment, from 0.
     pub segment: usize,
@@ -21,7 +22,7 @@ pub struct ProgramError {
 }
 
 /// What can be wrong with a motion program.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ProgramProblem {
     /// No segments, or too many.
     Count {
@@ -54,6 +55,8 @@ pub enum ProgramProblem {
         /// Greatest value accepted.
         max: f64,
     },
+    /// The data of a free law do not make a curve.
+    Data(DataProblem),
     /// Two generic polynomials side by side.
     AdjacentPolynomials {
         /// Index of the other one.

@@ -24,6 +24,8 @@ pub enum FindingKind {
     Undercut,
     /// A flat face cannot follow a hollow: ρ < 0.
     ConcaveFlat,
+    /// The data of a free law hardly determine its curve.
+    Doubtful,
     /// The follower goes below the base circle: s < 0.
     BelowBase,
     /// The profile crosses itself away from any cusp.
@@ -68,6 +70,7 @@ impl FindingKind {
             Self::Cusp => "cusp",
             Self::Undercut => "undercut",
             Self::ConcaveFlat => "concave-flat",
+            Self::Doubtful => "doubtful-curve",
             Self::BelowBase => "below-base-circle",
             Self::SelfCrossing => "self-crossing",
             Self::ArmCutsCam => "arm-cuts-cam",
@@ -75,6 +78,12 @@ impl FindingKind {
             Self::FaceOvertaken => "face-overtaken",
             Self::ContactPastPivot => "contact-past-pivot",
         }
+    }
+
+    /// True when the motion is to blame, whatever the geometry.
+    #[must_use]
+    pub fn is_of_the_motion(self) -> bool {
+        matches!(self, Self::Jump(_) | Self::BelowBase | Self::Doubtful)
     }
 
     /// How bad it is: a jump of *j* only forbids high speed, all else is red.

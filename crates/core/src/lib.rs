@@ -34,11 +34,13 @@ mod error;
 mod extreme;
 mod finding;
 mod follower;
+mod form;
 mod interference;
 pub mod law;
 mod parameter;
 mod program;
 mod samples;
+mod series;
 mod sizing;
 mod svaj;
 
@@ -53,8 +55,10 @@ pub use follower::{
     Body, Contact, ContactKind, Element, FOLLOWERS, Follower, FollowerKind, FollowerValues, MAX_FOLLOWER_PARAMETERS,
     Motion, Point, Rotation,
 };
+pub use form::Form;
 pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
-pub use program::{CLOSING_TOLERANCE, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
+pub use program::{CLOSING_TOLERANCE, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
+pub use series::Series;
 pub use sizing::{balanced_eccentricity, smallest_base_radius};
 pub use svaj::Svaj;

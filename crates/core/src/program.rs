@@ -1,27 +1,30 @@
 //! The motion program: segments that cover one turn, joined into a cyclic list of smooth pieces.
 
-use crate::law::{Arguments, Law, MAX_LAW_PARAMETERS, Piece, Shape, matched_polynomial};
-use crate::{Curve, ProgramError, ProgramProblem, Svaj};
+use crate::law::{Arguments, Data, Given, Law, MAX_LAW_PARAMETERS, Piece, Shape, Solved, matched_polynomial};
+use crate::{Form, ProgramError, ProgramProblem, Svaj};
 use std::f64::consts::TAU;
 
 /// One stretch of the program.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Segment {
     /// How the follower moves.
     pub law: &'static Law,
     /// Cam angle spanned, radians.
     pub beta: f64,
-    /// Height gained, negative in a return; length, or radians for an oscillating follower.
+    /// Height gained, negative in a return; length, or radians for an oscillating follower. That of a free law follows from its
+    /// data: in a program it is what they make it.
     pub rise: f64,
     /// The law's own parameters, in the order of [`Law::parameters`].
     pub parameters: [f64; MAX_LAW_PARAMETERS],
+    /// What a free law is made from.
+    pub data: Data,
 }
 
 impl Segment {
     /// A segment of a law that takes no parameters of its own, or takes them at their defaults.
     #[must_use]
     pub fn new(law: &'static Law, beta: f64, rise: f64) -> Self {
-        Self { law, beta, rise, parameters: law.default_parameters() }
+        Self { law, beta, rise, parameters: law.default_parameters(), data: Data::None }
     }
 
     /// A segment from a law's name and an angle in degrees, as tables in books give them.
@@ -49,8 +52,11 @@ const JUMP_TOLERANCE: f64 = 1e-9;
 /// A station this close to a joint (radians) lies on it, and takes the limit from the right.
 const SNAP: f64 = 1e-11;
 
+/// A system worse conditioned than this leaves fewer than six of an `f64`'s sixteen digits: its curve is not to be trusted.
+pub(crate) const LEAST_TRUSTED: f64 = 1e10;
+
 /// A smooth stretch of the cycle: s = curve((θ − origin)/beta), for θ from `from` to `to`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Stretch {
     /// First θ, radians.
     pub from: f64,
@@ -61,7 +67,7 @@ pub struct Stretch {
     origin: f64,
     beta: f64,
     per_beta: f64,
-    curve: Curve,
+    curve: Form,
 }
 
 impl Stretch {
@@ -77,13 +83,13 @@ impl Stretch {
     /// True when the follower rests.
     #[must_use]
     pub fn is_still(&self) -> bool {
-        self.curve.coefficients().len() <= 1 && self.curve.waves().is_empty()
+        self.curve.is_constant()
     }
 
     /// The formula in x = (θ − origin)/β, with its origin and β.
     #[must_use]
-    pub fn formula(&self) -> (Curve, f64, f64) {
-        (self.curve, self.origin, self.beta)
+    pub fn formula(&self) -> (&Form, f64, f64) {
+        (&self.curve, self.origin, self.beta)
     }
 }
 
@@ -102,6 +108,17 @@ pub struct Joint {
     pub jump: Option<u8>,
 }
 
+/// A segment whose curve its data hardly determine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Doubt {
+    /// Index of the segment.
+    pub segment: usize,
+    /// The condition number of its system.
+    pub condition: f64,
+    /// The most with which a curve is trusted.
+    pub limit: f64,
+}
+
 /// A checked cyclic motion program.
 #[derive(Clone, Debug)]
 pub struct Program {
@@ -109,6 +126,7 @@ pub struct Program {
     borders: Vec<f64>,
     heights: Vec<f64>,
     stretches: Vec<Stretch>,
+    doubts: Vec<Doubt>,
 }
 
 impl Program {
@@ -120,14 +138,23 @@ impl Program {
     /// polynomials side by side (cyclically), which would have no end conditions to take.
     pub fn new(segments: &[Segment]) -> Result<Self, ProgramError> {
         check_each(segments)?;
-        let borders = running_sum(segments.iter().map(|segment| segment.beta));
-        let heights = running_sum(segments.iter().map(|segment| segment.rise));
+        let borders = running_sum(segments);
+        let (heights, solved) = climb(segments)?;
         check_cycle(segments, &borders, &heights)?;
-        let mut program = Self { segments: segments.to_vec(), borders, heights, stretches: Vec::new() };
+        let doubt = |(segment, solved): (usize, &Option<Solved>)| {
+            let condition = solved.as_ref()?.condition;
+            (condition > LEAST_TRUSTED).then_some(Doubt { segment, condition, limit: LEAST_TRUSTED })
+        };
+        let doubts = solved.iter().enumerate().filter_map(doubt).collect();
+        let mut program = Self { segments: segments.to_vec(), borders, heights, stretches: Vec::new(), doubts };
+        for (k, segment) in program.segments.iter_mut().enumerate().filter(|(_, segment)| segment.law.free().is_some())
+        {
+            segment.rise = program.heights[k + 1] - program.heights[k];
+        }
         let last = program.segments.len();
         program.borders[last] = TAU;
         program.heights[last] = 0.0;
-        program.stretches = program.join()?;
+        program.stretches = program.join(solved)?;
         Ok(program)
     }
 
@@ -141,6 +168,18 @@ impl Program {
     #[must_use]
     pub fn borders(&self) -> &[f64] {
         &self.borders
+    }
+
+    /// *s* at the borders of the segments: one more than there are segments.
+    #[must_use]
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// The segments whose curve is not to be trusted.
+    #[must_use]
+    pub fn doubts(&self) -> &[Doubt] {
+        &self.doubts
     }
 
     /// The smooth stretches, in order, from 0 to 2π.
@@ -200,11 +239,15 @@ impl Program {
         })
     }
 
-    fn join(&self) -> Result<Vec<Stretch>, ProgramError> {
+    fn join(&self, solved: Vec<Option<Solved>>) -> Result<Vec<Stretch>, ProgramError> {
         let n = self.segments.len();
         let mut fixed: Vec<Vec<Stretch>> = Vec::with_capacity(n);
-        for (k, segment) in self.segments.iter().enumerate() {
-            fixed.push(if segment.law.is_matched() { Vec::new() } else { self.unit_stretches(k)? });
+        for (k, solved) in solved.into_iter().enumerate() {
+            fixed.push(match solved {
+                Some(solved) => self.stretches_of(k, solved.pieces),
+                None if self.segments[k].law.is_matched() => Vec::new(),
+                None => self.stretches_of(k, self.unit_pieces(k)?),
+            });
         }
         for k in 0..n {
             if let Shape::Matched(orders) = self.segments[k].law.shape {
@@ -217,7 +260,7 @@ impl Program {
         Ok(fixed.into_iter().flatten().collect())
     }
 
-    fn unit_stretches(&self, k: usize) -> Result<Vec<Stretch>, ProgramError> {
+    fn unit_pieces(&self, k: usize) -> Result<Vec<Piece>, ProgramError> {
         let segment = &self.segments[k];
         let arguments = Arguments { parameters: segment.parameters, falling: segment.rise < 0.0 };
         let pieces = segment.law.unit(arguments).map_err(|problem| ProgramError {
@@ -229,22 +272,27 @@ impl Program {
                 max: problem.max,
             },
         })?;
+        let scaled = |Piece { until, curve }| Piece { until, curve: curve.scaled(segment.rise, self.heights[k]) };
+        Ok(pieces.into_iter().map(scaled).collect())
+    }
+
+    fn stretches_of(&self, k: usize, pieces: Vec<Piece>) -> Vec<Stretch> {
         let mut from = 0.0;
-        let scaled = pieces.iter().map(|&Piece { until, curve }| {
-            let stretch = self.stretch(k, curve.scaled(segment.rise, self.heights[k]), from, until);
+        let scaled = pieces.into_iter().map(|Piece { until, curve }| {
+            let stretch = self.stretch(k, curve, from, until);
             from = until;
             stretch
         });
-        Ok(scaled.collect())
+        scaled.collect()
     }
 
     fn matched_stretch(&self, k: usize, orders: usize, start: Svaj, end: Svaj) -> Stretch {
         let in_x = |limit: Svaj, height: f64| Svaj { s: height, ..limit.stretched(1.0 / self.segments[k].beta) };
         let curve = matched_polynomial(orders, in_x(start, self.heights[k]), in_x(end, self.heights[k + 1]));
-        self.stretch(k, curve, 0.0, 1.0)
+        self.stretch(k, curve.into(), 0.0, 1.0)
     }
 
-    fn stretch(&self, k: usize, curve: Curve, from: f64, until: f64) -> Stretch {
+    fn stretch(&self, k: usize, curve: Form, from: f64, until: f64) -> Stretch {
         let (start, end) = (self.borders[k], self.borders[k + 1]);
         let beta = end - start;
         let to = if until >= 1.0 { end } else { start + beta * until };
@@ -252,14 +300,27 @@ impl Program {
     }
 }
 
-fn running_sum(values: impl Iterator<Item = f64>) -> Vec<f64> {
+fn running_sum(segments: &[Segment]) -> Vec<f64> {
     let mut sum = 0.0;
-    std::iter::once(0.0)
-        .chain(values.map(|value| {
-            sum += value;
-            sum
-        }))
-        .collect()
+    let sums = segments.iter().map(|segment| {
+        sum += segment.beta;
+        sum
+    });
+    std::iter::once(0.0).chain(sums).collect()
+}
+
+/// The heights at the borders, and the curves of the free laws, which say for themselves where they end.
+fn climb(segments: &[Segment]) -> Result<(Vec<f64>, Vec<Option<Solved>>), ProgramError> {
+    let (mut heights, mut solved) = (vec![0.0], Vec::with_capacity(segments.len()));
+    for (k, Segment { law, beta, rise, data, .. }) in segments.iter().enumerate() {
+        let start = heights[k];
+        let free = law.free().map(|free| (free.solve)(&Given { data, beta: *beta, start })).transpose();
+        let free = free.map_err(|problem| ProgramError { segment: k, problem: ProgramProblem::Data(problem) })?;
+        let end = free.as_ref().and_then(|solved| solved.pieces.last()).map(|piece| piece.curve.at(1.0).s);
+        heights.push(end.unwrap_or(start + rise));
+        solved.push(free);
+    }
+    Ok((heights, solved))
 }
 
 fn check_each(segments: &[Segment]) -> Result<(), ProgramError> {

@@ -2,7 +2,7 @@
 
 use crate::extreme::{extremes, root};
 use crate::samples::{LEAST_STEPS, Quantity, Samples};
-use crate::{Analysis, Body, Cam, FindingKind};
+use crate::{Analysis, Body, Cam};
 
 /// Steps of the first, coarse look at a candidate cam.
 const COARSE_STEPS: usize = 120;
@@ -69,10 +69,7 @@ pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
 
 /// True when nothing but the motion itself is to blame.
 pub(crate) fn geometry_passes(cam: &Cam) -> bool {
-    Analysis::of(cam, LEAST_STEPS)
-        .findings
-        .iter()
-        .all(|finding| matches!(finding.kind, FindingKind::Jump(_) | FindingKind::BelowBase))
+    Analysis::of(cam, LEAST_STEPS).findings.iter().all(|finding| finding.kind.is_of_the_motion())
 }
 
 /// How far a base radius is from passing: positive when it fails, infinite when the geometry cannot be.

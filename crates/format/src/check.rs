@@ -1,12 +1,14 @@
 //! From a design to a cam: ranges, sums and geometry, every refusal with its place in the design.
 
+use crate::data;
 use crate::decimal::Decimal;
 use crate::design::to_core;
 use crate::limits::{
     ANGLE, BETA, MAX_SEGMENTS, MAX_TITLE, OFFSET, RISE, SIZE, SPEED, SUM_ROUNDING, SUM_TOLERANCE, SWING,
     is_unfit_for_title,
 };
-use crate::{Design, DesignError, Measure, Path, Problem, SegmentDesign};
+use crate::{DataRefusal, Design, DesignError, Measure, Path, Problem, SegmentDesign};
+use levalab_core::law::Given;
 use levalab_core::{
     Cam, Follower, GeometryError, GeometryProblem, MIN_BETA, Parameter, Program, ProgramError, ProgramProblem,
     Quantity, Segment,
@@ -75,13 +77,14 @@ impl Design {
     }
 
     fn check_segment(&self, k: usize) -> Result<(), DesignError> {
-        let SegmentDesign { law, beta, rise, .. } = self.segments[k];
+        let SegmentDesign { law, beta, rise, .. } = &self.segments[k];
         let (here, measure) = (Path::from("segments").join(k), self.travel());
-        check_range(here.join("beta"), beta, &BETA, Measure::Degrees)?;
-        check_range(here.join("rise"), rise, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
-        if law.is_dwell() && rise != 0.0 {
-            return Err(DesignError::at(here.join("rise"), Problem::DwellRises { found: rise, measure }));
+        check_range(here.join("beta"), *beta, &BETA, Measure::Degrees)?;
+        check_range(here.join("rise"), *rise, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
+        if law.is_dwell() && *rise != 0.0 {
+            return Err(DesignError::at(here.join("rise"), Problem::DwellRises { found: *rise, measure }));
         }
+        data::check(&here, &self.segments[k].data, self.is_oscillating())?;
         let next = (k + 1) % self.segments.len();
         if law.is_matched() && self.segments[next].law.is_matched() {
             return Err(DesignError::at(here.join("law"), Problem::AdjacentPolynomials { next }));
@@ -92,10 +95,10 @@ impl Design {
     fn check_heights(&self) -> Result<Vec<Decimal>, DesignError> {
         let measure = self.travel();
         let mut heights = vec![Decimal::default()];
-        for (k, segment) in self.segments.iter().enumerate() {
-            let height = heights[k] + Decimal::of(segment.rise);
+        for k in 0..self.segments.len() {
+            let height = self.end_of(k, heights[k])?;
             if height < Decimal::default() && misses(height) && k + 1 < self.segments.len() {
-                let here = Path::from("segments").join(k).join("rise");
+                let here = self.place_of_rise(k);
                 return Err(DesignError::at(here, Problem::BelowBase { found: height.to_f64(), measure }));
             }
             heights.push(height);
@@ -108,6 +111,45 @@ impl Design {
             heights[k + 1..].fill(Decimal::default());
         }
         Ok(heights)
+    }
+
+    /// The height at which a segment ends: by its rise, or by its data, which a rise that is told must agree with.
+    fn end_of(&self, k: usize, start: Decimal) -> Result<Decimal, DesignError> {
+        let segment = &self.segments[k];
+        let (here, measure) = (Path::from("segments").join(k), self.travel());
+        let Some(free) = segment.law.free() else { return Ok(start + Decimal::of(segment.rise)) };
+        let end = match data::stated_end(segment) {
+            Some(end) => end,
+            None => {
+                let up = if self.is_oscillating() { 1_f64.to_radians() } else { 1.0 };
+                let beta = segment.beta.to_radians();
+                let data = segment.data.scaled(beta / segment.beta, up);
+                let given = Given { data: &data, beta, start: start.to_f64() * up };
+                let solved = (free.solve)(&given).map_err(|problem| data::refusal(&here, segment, problem))?;
+                let end = solved.pieces.last().map_or(0.0, |piece| piece.curve.at(1.0).s) / up;
+                check_range(here.clone(), end, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
+                Decimal::of(end)
+            }
+        };
+        if segment.rise != 0.0 && misses(end - start - Decimal::of(segment.rise)) {
+            let expected = (end - start).to_f64();
+            let problem = DataRefusal::RiseDisagrees { found: segment.rise, expected, measure };
+            return Err(DesignError::at(here.join("rise"), problem.into()));
+        }
+        Ok(end)
+    }
+
+    /// A file may say the rise of a free law; a design leaves it to its data.
+    pub(crate) fn settle_rises(&mut self) {
+        for segment in self.segments.iter_mut().filter(|segment| segment.law.free().is_some()) {
+            segment.rise = 0.0;
+        }
+    }
+
+    /// Where to look when a segment ends too low: its rise, or the whole segment when it has none.
+    fn place_of_rise(&self, k: usize) -> Path {
+        let here = Path::from("segments").join(k);
+        if self.segments.get(k).is_some_and(|segment| segment.law.free().is_some()) { here } else { here.join("rise") }
     }
 
     /// The segments for the core. β and rise are taken from border to border, so that rounding does not add up and the
@@ -123,11 +165,12 @@ impl Design {
             let target = to_core_rise(heights[k + 1].to_f64());
             let rise = if segment.law.is_dwell() { 0.0 } else { target - height };
             (theta, height) = (theta + beta, height + rise);
+            let data = segment.data.scaled(beta / segment.beta, to_core_rise(1.0));
             let mut parameters = segment.parameters;
             for (value, parameter) in parameters.iter_mut().zip(segment.law.parameters) {
                 *value = to_core(parameter, *value);
             }
-            Segment { law: segment.law, beta, rise, parameters }
+            Segment { law: segment.law, beta, rise, parameters, data }
         });
         each.collect()
     }
@@ -151,9 +194,13 @@ impl Design {
             }
             ProgramProblem::AdjacentPolynomials { next } => (here.join("law"), Problem::AdjacentPolynomials { next }),
             ProgramProblem::Turn { found } => ("segments".into(), Problem::Turn { found: found.to_degrees() }),
+            ProgramProblem::Data(problem) => match self.segments.get(segment) {
+                Some(segment) => return data::refusal(&here, segment, problem),
+                None => (here, Problem::Missing),
+            },
             ProgramProblem::Closing { found } => ("segments".into(), Problem::Closing { found: edge(found), measure }),
             ProgramProblem::BelowBase { found } => {
-                (here.join("rise"), Problem::BelowBase { found: edge(found), measure })
+                (self.place_of_rise(segment), Problem::BelowBase { found: edge(found), measure })
             }
             ProgramProblem::Parameter { key, found, min, max } => {
                 let parameters = self.segments.get(segment).map_or(&[][..], |segment| segment.law.parameters);
@@ -199,7 +246,7 @@ fn check_title(title: &str) -> Result<(), DesignError> {
     }
 }
 
-fn check_range(
+pub(crate) fn check_range(
     path: impl Into<Path>,
     found: f64,
     range: &RangeInclusive<f64>,

@@ -1,8 +1,10 @@
 //! What puts a finding right, as numbers that a person would write and as changes to the design file.
 
+use crate::report::{scale_of, tidy};
 use crate::write::{number, segment_value};
 use crate::{Design, DesignError, Path, PathPart, SegmentDesign};
-use levalab_core::{Analysis, Cam, Column, Cure, FindingKind, Law, prescribe};
+use levalab_core::law::Data;
+use levalab_core::{Analysis, Cam, Column, Cure, Law, prescribe};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -56,7 +58,7 @@ pub enum Remedy {
 pub fn cures(design: &Design, cam: &Cam, analysis: &Analysis) -> Vec<Vec<DesignCure>> {
     let told = |cure: Cure| {
         let remedy = in_units(design, cam, cure);
-        DesignCure { edits: edits(design, &remedy), remedy }
+        DesignCure { edits: edits(design, cam, &remedy), remedy }
     };
     prescribe(cam, analysis).into_iter().map(|cures| cures.into_iter().map(told).collect()).collect()
 }
@@ -83,7 +85,7 @@ pub fn apply(design: &Design, edits: &[Edit]) -> Result<Design, DesignError> {
     Design::from_value(&value)
 }
 
-fn edits(design: &Design, remedy: &Remedy) -> Vec<Edit> {
+fn edits(design: &Design, cam: &Cam, remedy: &Remedy) -> Vec<Edit> {
     let edit = |path: Path, value: Value| Edit { path: path.0, value };
     match remedy {
         Remedy::BaseRadius { value, .. } => vec![edit(["cam", "base_radius"].into(), number(*value))],
@@ -92,10 +94,27 @@ fn edits(design: &Design, remedy: &Remedy) -> Vec<Edit> {
             // The whole segment, since the parameters of the old law go and those of the new one come.
             let change = |&(k, law): &(usize, &'static Law)| {
                 let before = design.segments.get(k)?;
-                let after = SegmentDesign { law, parameters: default_parameters(law), ..*before };
+                let after = SegmentDesign {
+                    law,
+                    beta: before.beta,
+                    rise: rise_of(design, cam, k),
+                    parameters: default_parameters(law),
+                    data: Data::None,
+                };
                 Some(edit(Path::from("segments").join(k), segment_value(&after)))
             };
             changes.iter().filter_map(change).collect()
+        }
+    }
+}
+
+/// The rise of a segment; that of a free law is what its data come to, with the digits that they are worth.
+fn rise_of(design: &Design, cam: &Cam, k: usize) -> f64 {
+    match &design.segments[k] {
+        segment if segment.law.free().is_none() => segment.rise,
+        _ => {
+            let heights = cam.program.heights();
+            tidy((heights[k + 1] - heights[k]) * scale_of(design, Column::S))
         }
     }
 }
@@ -145,8 +164,7 @@ const LOOK: usize = 1;
 fn shortest_passing(cam: &Cam, exact: f64) -> f64 {
     let passes = |&radius: &f64| {
         let Ok(sized) = cam.with_base_radius(radius) else { return false };
-        let of_the_motion = |kind| matches!(kind, FindingKind::Jump(_) | FindingKind::BelowBase);
-        Analysis::of(&sized, LOOK).findings.iter().all(|finding| of_the_motion(finding.kind))
+        Analysis::of(&sized, LOOK).findings.iter().all(|finding| finding.kind.is_of_the_motion())
     };
     (DIGITS..ALL_DIGITS).map(|digits| round(exact, digits, f64::ceil)).find(passes).unwrap_or(exact)
 }

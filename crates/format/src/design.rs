@@ -1,7 +1,7 @@
 //! A design: what a file or a link holds, in the units that people use.
 
 use crate::{LengthUnit, SpeedUnit};
-use levalab_core::law::MAX_LAW_PARAMETERS;
+use levalab_core::law::{Data, MAX_LAW_PARAMETERS};
 use levalab_core::{FollowerKind, FollowerValues, Law, Motion, Parameter, Quantity, Rotation};
 
 /// A cam as it is designed: angles in degrees, lengths in [`length_unit`](Self::length_unit).
@@ -38,16 +38,18 @@ pub struct Speed {
 }
 
 /// A segment of the motion program as it is designed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SegmentDesign {
     /// How the follower moves.
     pub law: &'static Law,
     /// β, degrees.
     pub beta: f64,
-    /// L: a length, or degrees when the follower swings; negative in a return.
+    /// L: a length, or degrees when the follower swings; negative in a return. 0 when the data of a free law say where it ends.
     pub rise: f64,
     /// The law's own parameters, in the order of [`Law::parameters`]; angles in degrees.
     pub parameters: [f64; MAX_LAW_PARAMETERS],
+    /// What a free law is made from: degrees from the segment's start, heights above the base circle in the unit of *s*.
+    pub data: Data,
 }
 
 impl Design {

@@ -145,6 +145,8 @@ pub enum Problem {
         /// What it measures.
         measure: Measure,
     },
+    /// Data of a free law that make no curve.
+    Data(DataRefusal),
     /// Two polynomials side by side that would take their end conditions from each other.
     AdjacentPolynomials {
         /// Index of the other segment.
@@ -192,6 +194,52 @@ pub enum Problem {
         /// It must be more than this.
         needed: f64,
     },
+}
+
+/// What can be wrong with the data of a free law. Angles are in degrees and lengths in the unit of the design.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DataRefusal {
+    /// An order of a derivative that is none of 0, 1, 2 and 3.
+    WrongOrder {
+        /// The order.
+        found: f64,
+    },
+    /// Too few items in a list, or too many.
+    WrongCount {
+        /// How many there are.
+        found: usize,
+        /// The least there may be.
+        min: usize,
+        /// The most there may be.
+        max: usize,
+    },
+    /// A condition on the same derivative at the same place as one before it.
+    Repeated {
+        /// Index of that one.
+        other: usize,
+    },
+    /// No condition says a height.
+    NoHeight,
+    /// No single curve meets the conditions, since some depend on each other.
+    Dependent {
+        /// Indices of those that do.
+        items: Vec<usize>,
+    },
+    /// A rise that is not what the data of the segment come to.
+    RiseDisagrees {
+        /// The rise.
+        found: f64,
+        /// What the data come to.
+        expected: f64,
+        /// What it measures.
+        measure: Measure,
+    },
+}
+
+impl From<DataRefusal> for Problem {
+    fn from(refusal: DataRefusal) -> Self {
+        Self::Data(refusal)
+    }
 }
 
 impl DesignError {

@@ -22,6 +22,7 @@
 
 mod check;
 mod cure;
+mod data;
 mod decimal;
 mod design;
 mod error;
@@ -38,8 +39,9 @@ mod units;
 mod write;
 
 pub use cure::{DesignCure, Edit, Remedy, apply, cures};
+pub use data::{data_key, entry as data_entry};
 pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
-pub use error::{DesignError, Kind, Measure, Problem};
+pub use error::{DataRefusal, DesignError, Kind, Measure, Problem};
 pub use examples::{EXAMPLES, example};
 pub use path::{Path, PathPart, quoted};
 pub use units::{LengthUnit, SpeedUnit};

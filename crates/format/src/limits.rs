@@ -30,6 +30,9 @@ pub const RISE: RangeInclusive<f64> = -1e6..=1e6;
 /// Rises of an oscillating follower, degrees: half a turn to either side.
 pub const SWING: RangeInclusive<f64> = -180.0..=180.0;
 
+/// Derivatives of *s* that a curve is asked to have: what the largest lift comes to within a small part of a turn.
+pub const DERIVATIVE: RangeInclusive<f64> = -1e9..=1e9;
+
 /// β, degrees: from a thousandth of a degree, below what any cam grinder divides, to a turn.
 pub const BETA: RangeInclusive<f64> = 1e-3..=360.0;
 

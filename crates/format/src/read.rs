@@ -1,5 +1,6 @@
 //! A design from JSON: every field known, every kind right, nothing left to guess.
 
+use crate::data;
 use crate::design::{default_of, motion_and_contact};
 use crate::limits::MAX_SEGMENTS;
 use crate::write::{FORMAT, KIND, ROTATIONS};
@@ -39,8 +40,9 @@ impl Design {
     /// # Errors
     /// As [`Design::from_json`].
     pub fn open(value: &Value) -> Result<(Self, Cam), DesignError> {
-        let design = read(value)?;
+        let mut design = read(value)?;
         let cam = design.cam()?;
+        design.settle_rises();
         Ok((design, cam))
     }
 }
@@ -109,24 +111,25 @@ fn read_segments(file: &Object) -> Result<Vec<SegmentDesign>, DesignError> {
 fn read_segment(segment: &Object) -> Result<SegmentDesign, DesignError> {
     let ids: Vec<&'static str> = LAWS.iter().map(|law| law.id).collect();
     let law: &'static Law = LAWS[segment.word("law", &ids)?];
-    let parameters: [f64; MAX_LAW_PARAMETERS] = segment.parameters(&["law", "beta", "rise"], law.parameters)?;
+    let shared: Vec<&'static str> = ["law", "beta", "rise"].into_iter().chain(data::data_key(law)).collect();
+    let parameters: [f64; MAX_LAW_PARAMETERS] = segment.parameters(&shared, law.parameters)?;
     let beta = segment.required("beta")?.number()?;
     let rise = match segment.optional("rise") {
-        None if law.is_dwell() => 0.0,
+        None if law.is_dwell() || law.free().is_some() => 0.0,
         _ => segment.required("rise")?.number()?,
     };
-    Ok(SegmentDesign { law, beta, rise, parameters })
+    Ok(SegmentDesign { law, beta, rise, parameters, data: data::read(segment, law)? })
 }
 
 /// A value with its place.
-struct Field<'a> {
-    path: Path,
-    value: &'a Value,
+pub(crate) struct Field<'a> {
+    pub path: Path,
+    pub value: &'a Value,
 }
 
 impl Field<'_> {
     /// A number; −0 becomes 0, so that equal designs are written alike.
-    fn number(&self) -> Result<f64, DesignError> {
+    pub fn number(&self) -> Result<f64, DesignError> {
         self.value.as_f64().map(|value| value + 0.0).ok_or_else(|| self.wrong_kind(Kind::Number))
     }
 
@@ -134,7 +137,7 @@ impl Field<'_> {
         self.value.as_str().map(str::to_owned).ok_or_else(|| self.wrong_kind(Kind::Text))
     }
 
-    fn wrong_kind(&self, expected: Kind) -> DesignError {
+    pub fn wrong_kind(&self, expected: Kind) -> DesignError {
         let found = match self.value {
             Value::Null => Kind::Null,
             Value::Bool(_) => Kind::Boolean,
@@ -148,13 +151,13 @@ impl Field<'_> {
 }
 
 /// An object with its place.
-struct Object<'a> {
+pub(crate) struct Object<'a> {
     path: Path,
     fields: &'a Map<String, Value>,
 }
 
 impl<'a> Object<'a> {
-    fn any(value: &'a Value, path: Path) -> Result<Self, DesignError> {
+    pub fn any(value: &'a Value, path: Path) -> Result<Self, DesignError> {
         match value {
             Value::Object(fields) => Ok(Self { path, fields }),
             _ => Err(Field { path, value }.wrong_kind(Kind::Object)),
@@ -165,7 +168,7 @@ impl<'a> Object<'a> {
         self.fields.get(key).map(|value| Field { path: self.path.join(key), value })
     }
 
-    fn required(&self, key: &str) -> Result<Field<'a>, DesignError> {
+    pub fn required(&self, key: &str) -> Result<Field<'a>, DesignError> {
         self.optional(key).ok_or_else(|| DesignError { path: self.path.join(key), problem: Problem::Missing })
     }
 
@@ -185,7 +188,7 @@ impl<'a> Object<'a> {
     }
 
     /// Refuses fields that have no meaning here.
-    fn only(&self, known: &[&'static str]) -> Result<(), DesignError> {
+    pub fn only(&self, known: &[&'static str]) -> Result<(), DesignError> {
         match self.fields.keys().find(|key| !known.contains(&key.as_str())) {
             Some(key) => {
                 let problem = Problem::UnknownField { expected: known.to_vec() };

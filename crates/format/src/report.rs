@@ -125,7 +125,7 @@ pub fn degrees(theta: f64) -> f64 {
 }
 
 /// Ten decimals.
-fn tidy(value: f64) -> f64 {
+pub(crate) fn tidy(value: f64) -> f64 {
     const PARTS: f64 = 1e10;
     if value.abs() < PARTS / 1e4 { (value * PARTS).round() / PARTS + 0.0 } else { value }
 }
@@ -171,7 +171,7 @@ fn finding_of(design: &Design, finding: &Finding) -> DesignFinding {
         | FindingKind::PivotInsideCam
         | FindingKind::FaceOvertaken
         | FindingKind::ContactPastPivot => Some(1.0),
-        FindingKind::SelfCrossing => None,
+        FindingKind::SelfCrossing | FindingKind::Doubtful => None,
     };
     let measured = |value: f64| scale.map(|scale| value * scale + 0.0).filter(|value| value.is_finite());
     DesignFinding {

@@ -3,7 +3,7 @@
 use crate::design::default_of;
 use crate::limits::MAX_SEGMENTS;
 use crate::{Design, LengthUnit, SegmentDesign, Speed, SpeedUnit};
-use levalab_core::law::MAX_LAW_PARAMETERS;
+use levalab_core::law::{Condition, Data, DataKind, MAX_LAW_PARAMETERS};
 use levalab_core::{FOLLOWERS, LAWS, Law, Quantity, Rotation};
 
 /// A small generator of random numbers (SplitMix64), the same on every machine.
@@ -114,7 +114,11 @@ fn segments(random: &mut Random, decimals: Decimals, travel: f64) -> Vec<Segment
         let law = law(random, target == height, segments.last().map(|segment| segment.law));
         let rise = if law.is_dwell() { 0.0 } else { tidy(target - height) };
         height = tidy(height + rise);
-        segments.push(SegmentDesign { law, beta, rise, parameters: parameters(random, decimals, law) });
+        let parameters = parameters(random, decimals, law);
+        let span = (beta, tidy(height - rise), height);
+        let data = law.free().map_or(Data::None, |free| data(random, decimals, free.data, span));
+        let rise = if law.free().is_some() { 0.0 } else { rise };
+        segments.push(SegmentDesign { law, beta, rise, parameters, data });
     }
     segments
 }
@@ -137,6 +141,31 @@ fn parameters(random: &mut Random, decimals: Decimals, law: &Law) -> [f64; MAX_L
         *value = default.unwrap_or_else(|| decimals.round(random.between(0.0, 0.5)));
     }
     values
+}
+
+/// Data that lead from one height to another over β: round numbers or long ones, few or many.
+fn data(random: &mut Random, decimals: Decimals, kind: DataKind, (beta, start, end): (f64, f64, f64)) -> Data {
+    let lift = start.abs().max(end.abs()).max(1.0);
+    match kind {
+        DataKind::Conditions => {
+            let at = |at: f64, order: u8, value: f64| Condition { at, order, value };
+            let mut conditions = vec![at(0.0, 0, start), at(beta, 0, end)];
+            for order in 1..4 {
+                for place in [0.0, beta] {
+                    if !random.once_in(3) {
+                        let value =
+                            if random.once_in(2) { 0.0 } else { decimals.round(lift * random.between(-1.0, 1.0)) };
+                        conditions.push(at(place, order, value));
+                    }
+                }
+            }
+            for _ in 0..random.below(3) * random.below(3) {
+                let height = decimals.round(lift * random.unit());
+                conditions.push(at(decimals.round(beta * random.between(0.05, 0.95)), 0, height));
+            }
+            Data::Conditions(conditions)
+        }
+    }
 }
 
 fn title(random: &mut Random) -> String {

@@ -1,5 +1,6 @@
 //! A design as JSON: one order of fields, one line a segment.
 
+use crate::data;
 use crate::design::motion_and_contact;
 use crate::{Design, SegmentDesign};
 use levalab_core::{Parameter, Rotation};
@@ -75,10 +76,11 @@ impl Design {
 
 fn segment_entries(segment: &SegmentDesign) -> Entries {
     let mut entries = vec![("law", segment.law.id.into()), ("beta", number(segment.beta))];
-    if !segment.law.is_dwell() {
+    if !segment.law.is_dwell() && segment.law.free().is_none() {
         entries.push(("rise", number(segment.rise)));
     }
     entries.extend(parameter_entries(segment.law.parameters, &segment.parameters));
+    entries.extend(data::entry(&segment.data));
     Entries(entries)
 }
 

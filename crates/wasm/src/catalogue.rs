@@ -2,8 +2,9 @@
 
 use levalab_core::law::{Arguments, Group, LAWS, Law};
 use levalab_core::{FOLLOWERS, FollowerKind, MAX_SEGMENTS, Parameter, Quantity};
-use levalab_format::{EXAMPLES, LengthUnit, SpeedUnit, limits, motion_and_contact};
+use levalab_format::{EXAMPLES, LengthUnit, SpeedUnit, data_entry, limits, motion_and_contact};
 use serde::Serialize;
+use serde_json::Value;
 
 /// Everything a form can offer.
 #[derive(Serialize)]
@@ -23,6 +24,14 @@ struct LawEntry {
     moves: bool,
     parameters: Vec<ParameterEntry>,
     thumbnail: Vec<f64>,
+    free: Option<FreeEntry>,
+}
+
+/// The field that a free law is made from, and what it starts with over β = 1 from 0 to 1.
+#[derive(Serialize)]
+struct FreeEntry {
+    key: &'static str,
+    first: Value,
 }
 
 #[derive(Serialize)]
@@ -77,6 +86,7 @@ impl LawEntry {
             Group::Standard => "standard",
             Group::Half => "half",
             Group::Matched => "matched",
+            Group::Free => "free",
         };
         Self {
             id: law.id,
@@ -84,6 +94,7 @@ impl LawEntry {
             moves: !law.is_dwell(),
             parameters: law.parameters.iter().map(ParameterEntry::of).collect(),
             thumbnail: thumbnail(law),
+            free: data_entry(&law.first_data(1.0, 0.0, 1.0)).map(|(key, first)| FreeEntry { key, first }),
         }
     }
 }

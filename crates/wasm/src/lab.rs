@@ -2,8 +2,8 @@
 
 use crate::report::{PageReport, cures};
 use crate::{Failure, instant, language, object, speak};
-use levalab_core::{Analysis, Cam, Column};
-use levalab_format::report::{Report, column};
+use levalab_core::{Analysis, Cam, Column, Svaj};
+use levalab_format::report::{Report, column, scale_of};
 use levalab_format::{Design, DesignError};
 use serde::Serialize;
 use serde_json::Value;
@@ -85,6 +85,11 @@ impl Lab {
         values.unwrap_or_default()
     }
 
+    /// The limits of s, v, a, j (per radian, in the unit of s) before a border of the segments, and after it; empty when there is none.
+    pub fn limits(&self, border: usize) -> Vec<f64> {
+        self.current.as_ref().map_or_else(Vec::new, |current| limits(current, border))
+    }
+
     /// Exact values at θ (degrees, any turn), in the order of the `INSTANT` table.
     pub fn at(&self, theta: f64, out: &mut [f64]) {
         match &self.current {
@@ -99,6 +104,16 @@ impl Lab {
     pub(crate) fn current(&self) -> Result<&Current, JsError> {
         self.current.as_ref().ok_or_else(|| JsError::new("no cam has been opened"))
     }
+}
+
+fn limits(current: &Current, border: usize) -> Vec<f64> {
+    let borders = current.cam.program.borders();
+    // The last border is the first again.
+    let theta = borders.get(border).map(|&theta| if border + 1 == borders.len() { borders[0] } else { theta });
+    let joint = theta.and_then(|theta| current.analysis.joints.iter().find(|joint| joint.theta == theta));
+    let scale = scale_of(&current.design, Column::S);
+    let side = |motion: Svaj| (0..4).map(move |order| motion.order(order) * scale + 0.0);
+    joint.map_or_else(Vec::new, |joint| side(joint.before).chain(side(joint.after)).collect())
 }
 
 fn analyse(value: &Value, samples: usize) -> Result<Current, DesignError> {

@@ -1,5 +1,6 @@
 //! English.
 
+use crate::data_en;
 use crate::voice::{Figures, FileProblem, Voice, by_law, measured, row, worst_kinds};
 use crate::{Language, Units};
 use levalab_core::{Column, FindingKind, Level};
@@ -33,6 +34,7 @@ impl Voice for English {
             "half-cycloidal-end" => "half cycloidal (end)",
             "polynomial-5" => "5th-degree polynomial",
             "polynomial-7" => "7th-degree polynomial",
+            "polynomial" => "polynomial through conditions",
             _ => return None,
         })
     }
@@ -108,6 +110,11 @@ impl Voice for English {
             FindingKind::ConcaveFlat => {
                 format!(
                     "{around} the profile would have to be hollow, which a flat face cannot touch: the radius of curvature falls to {value} at {at}."
+                )
+            }
+            FindingKind::Doubtful => {
+                format!(
+                    "{around} the conditions hardly determine the curve: the least rounding of one of them changes its shape, and its figures cannot be trusted."
                 )
             }
             FindingKind::BelowBase => format!("The follower goes below the base circle, down to {value} at {at}."),
@@ -214,6 +221,7 @@ impl Voice for English {
             Problem::DwellRises { found, measure } => {
                 format!("A dwell cannot rise, and this one rises {}.", measured(*found, *measure, EN))
             }
+            Problem::Data(refusal) => data_en::refusal(refusal),
             Problem::AdjacentPolynomials { next } => {
                 format!(
                     "It takes its end conditions from its neighbours, and so does segment {}: they cannot be side by side.",
@@ -299,6 +307,7 @@ fn reason(kind: FindingKind) -> &'static str {
         FindingKind::Cusp => "the profile has a cusp",
         FindingKind::Undercut => "the profile is undercut",
         FindingKind::ConcaveFlat => "the flat face cannot follow the profile",
+        FindingKind::Doubtful => "the conditions hardly determine a curve",
         FindingKind::BelowBase => "the follower goes below the base circle",
         FindingKind::SelfCrossing => "the profile crosses itself",
         FindingKind::ArmCutsCam => "the follower cuts into the cam",
@@ -320,7 +329,7 @@ fn passing(kind: FindingKind, units: Units) -> &'static str {
         FindingKind::PivotInsideCam => "the cam clears the pivot",
         FindingKind::FaceOvertaken => "the face keeps its contact",
         FindingKind::ContactPastPivot => "the contact stays on its side of the pivot",
-        FindingKind::Jump(_) | FindingKind::BelowBase => "the cam is sound",
+        FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::Doubtful => "the cam is sound",
     }
 }
 

@@ -1,5 +1,6 @@
 //! Spanish.
 
+use crate::data_es;
 use crate::voice::{Figures, FileProblem, Voice, by_law, measured, row, worst_kinds};
 use crate::{Language, Units};
 use levalab_core::{Column, FindingKind, Level};
@@ -33,6 +34,7 @@ impl Voice for Spanish {
             "half-cycloidal-end" => "semicicloidal (final)",
             "polynomial-5" => "polinómica de 5.º grado",
             "polynomial-7" => "polinómica de 7.º grado",
+            "polynomial" => "polinómica por condiciones",
             _ => return None,
         })
     }
@@ -110,6 +112,11 @@ impl Voice for Spanish {
             FindingKind::ConcaveFlat => {
                 format!(
                     "{around} el perfil tendría que ser cóncavo, y una cara plana no puede tocarlo: el radio de curvatura baja a {value} en {at}."
+                )
+            }
+            FindingKind::Doubtful => {
+                format!(
+                    "{around} las condiciones apenas determinan la curva: el menor redondeo de una de ellas le cambia la forma, y sus cifras no son de fiar."
                 )
             }
             FindingKind::BelowBase => format!("El seguidor baja de la circunferencia base, hasta {value} en {at}."),
@@ -216,6 +223,7 @@ impl Voice for Spanish {
             Problem::DwellRises { found, measure } => {
                 format!("Un detenimiento no puede subir, y este sube {}.", measured(*found, *measure, ES))
             }
+            Problem::Data(refusal) => data_es::refusal(refusal),
             Problem::AdjacentPolynomials { next } => {
                 format!(
                     "Toma de sus vecinos las condiciones en los extremos, y el tramo {} también: no pueden ir seguidos.",
@@ -319,6 +327,7 @@ fn reason(kind: FindingKind) -> &'static str {
         FindingKind::Cusp => "el perfil tiene una cúspide",
         FindingKind::Undercut => "el perfil tiene rebaje",
         FindingKind::ConcaveFlat => "la cara plana no puede seguir el perfil",
+        FindingKind::Doubtful => "las condiciones apenas determinan una curva",
         FindingKind::BelowBase => "el seguidor baja de la circunferencia base",
         FindingKind::SelfCrossing => "el perfil se corta a sí mismo",
         FindingKind::ArmCutsCam => "el seguidor penetra en la leva",
@@ -340,7 +349,7 @@ fn passing(kind: FindingKind, units: Units) -> &'static str {
         FindingKind::PivotInsideCam => "la leva no llega a la articulación",
         FindingKind::FaceOvertaken => "la cara no pierde el contacto",
         FindingKind::ContactPastPivot => "el contacto no pasa al otro lado de la articulación",
-        FindingKind::Jump(_) | FindingKind::BelowBase => "la leva es correcta",
+        FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::Doubtful => "la leva es correcta",
     }
 }
 

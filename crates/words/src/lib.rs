@@ -18,6 +18,8 @@
 //!
 //! Not here: the labels of the page's own buttons and fields.
 
+mod data_en;
+mod data_es;
 mod en;
 mod es;
 mod numbers;

@@ -2,7 +2,7 @@
 
 use super::*;
 use levalab_core::{Analysis, Column, FOLLOWERS, FindingKind, LAWS, Level};
-use levalab_format::{Kind, Measure, Path, Problem, cures, example};
+use levalab_format::{DataRefusal, Kind, Measure, Path, Problem, cures, example};
 
 fn report(name: &str) -> (Design, Report) {
     let design = example(name).expect(name);
@@ -27,7 +27,7 @@ fn finding_of(kind: FindingKind) -> DesignFinding {
     }
 }
 
-const KINDS: [FindingKind; 14] = [
+const KINDS: [FindingKind; 15] = [
     FindingKind::Jump(0),
     FindingKind::Jump(1),
     FindingKind::Jump(2),
@@ -37,6 +37,7 @@ const KINDS: [FindingKind; 14] = [
     FindingKind::Undercut,
     FindingKind::ConcaveFlat,
     FindingKind::BelowBase,
+    FindingKind::Doubtful,
     FindingKind::SelfCrossing,
     FindingKind::ArmCutsCam,
     FindingKind::PivotInsideCam,
@@ -65,6 +66,14 @@ fn problems() -> Vec<Problem> {
         Problem::NoSegments,
         Problem::TooManySegments { found: 65, limit: 64 },
         Problem::DwellRises { found: 1.5, measure },
+        DataRefusal::WrongOrder { found: 2.5 }.into(),
+        DataRefusal::WrongCount { found: 0, min: 1, max: 24 }.into(),
+        DataRefusal::WrongCount { found: 25, min: 1, max: 24 }.into(),
+        DataRefusal::Repeated { other: 0 }.into(),
+        DataRefusal::NoHeight.into(),
+        DataRefusal::Dependent { items: vec![1] }.into(),
+        DataRefusal::Dependent { items: vec![0, 2, 3] }.into(),
+        DataRefusal::RiseDisagrees { found: 10.0, expected: 9.5, measure }.into(),
         Problem::AdjacentPolynomials { next: 2 },
         Problem::Turn { found: 359.0 },
         Problem::Turn { found: 370.0 },

@@ -58,7 +58,7 @@ impl Figures {
             FindingKind::Jump(order) => units.travel(number, order, language),
             FindingKind::BelowBase => units.travel(number, 0, language),
             FindingKind::PressureAngle => language.angle(number),
-            FindingKind::FaceOvertaken => language.number(number),
+            FindingKind::FaceOvertaken | FindingKind::Doubtful => language.number(number),
             FindingKind::Cusp
             | FindingKind::Undercut
             | FindingKind::ConcaveFlat

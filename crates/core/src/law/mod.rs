@@ -4,10 +4,12 @@
 //! to β and L, one-sided limits, extremes, formulas on paper) follows from that list. To add a law, write one file with
 //! a `pub const LAW: Law` and name it in [`LAWS`].
 
+mod conditions;
 mod constant_velocity;
 mod cubic_1;
 mod cubic_2;
 mod cycloidal;
+mod data;
 mod double_harmonic;
 mod dwell;
 mod half_cycloidal_end;
@@ -18,6 +20,7 @@ mod matched;
 mod modified_sine;
 mod modified_trapezoidal;
 mod parabolic;
+mod polynomial;
 mod polynomial_3_4_5;
 mod polynomial_4_5_6_7;
 mod polynomial_5;
@@ -25,9 +28,12 @@ mod polynomial_7;
 mod scca;
 mod simple_harmonic;
 
+pub use data::{Condition, Data, DataKind, DataProblem, Given, Solved};
+pub use polynomial::MAX_CONDITIONS;
+
 pub(crate) use matched::matched_polynomial;
 
-use crate::{Curve, Parameter, Svaj};
+use crate::{Curve, Form, Parameter, Svaj};
 
 /// Every law there is, in the order in which a menu shows them.
 pub const LAWS: &[&Law] = &[
@@ -50,6 +56,7 @@ pub const LAWS: &[&Law] = &[
     &half_cycloidal_end::LAW,
     &polynomial_5::LAW,
     &polynomial_7::LAW,
+    &polynomial::LAW,
 ];
 
 /// Most parameters of its own that a law takes.
@@ -79,6 +86,8 @@ pub enum Group {
     Half,
     /// Polynomials that take their end conditions from their neighbours.
     Matched,
+    /// Curves from the user's own data.
+    Free,
 }
 
 /// How the curve of a law is found.
@@ -90,6 +99,19 @@ pub enum Shape {
     Unit(fn(Arguments) -> Result<Vec<Piece>, ArgumentProblem>),
     /// One polynomial that agrees with both neighbours in this many orders (*s* is the first).
     Matched(usize),
+    /// A curve from data of the segment's own, which say where it begins and ends: its rise follows from them.
+    Free(Free),
+}
+
+/// How a law is found from data.
+#[derive(Clone, Copy, Debug)]
+pub struct Free {
+    /// What data it takes.
+    pub data: DataKind,
+    /// The data that a form starts with, for β, a starting height and a rise.
+    pub first: fn(f64, f64, f64) -> Data,
+    /// The curve, in the units of the design.
+    pub solve: fn(&Given) -> Result<Solved, DataProblem>,
 }
 
 /// What a unit curve may depend on.
@@ -113,12 +135,20 @@ pub struct ArgumentProblem {
 }
 
 /// One smooth stretch of a law: `curve` holds from the end of the piece before it up to x = `until`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
     /// The x at which it ends.
     pub until: f64,
     /// Its curve, in the x of the whole law.
-    pub curve: Curve,
+    pub curve: Form,
+}
+
+impl Piece {
+    /// A piece from its end and its curve.
+    #[must_use]
+    pub fn new(until: f64, curve: impl Into<Form>) -> Self {
+        Self { until, curve: curve.into() }
+    }
 }
 
 /// Laws are the entries of [`LAWS`]: the same name is the same law.
@@ -147,6 +177,21 @@ impl Law {
         matches!(self.shape, Shape::Rest)
     }
 
+    /// How it is found from data, for a law that is.
+    #[must_use]
+    pub fn free(&self) -> Option<&Free> {
+        match &self.shape {
+            Shape::Free(free) => Some(free),
+            _ => None,
+        }
+    }
+
+    /// The data that a form starts with, for β, a starting height and a rise.
+    #[must_use]
+    pub fn first_data(&self, beta: f64, start: f64, rise: f64) -> Data {
+        self.free().map_or(Data::None, |free| (free.first)(beta, start, rise))
+    }
+
     /// The law's own parameters at the values a form starts with.
     #[must_use]
     pub fn default_parameters(&self) -> [f64; MAX_LAW_PARAMETERS] {
@@ -157,17 +202,22 @@ impl Law {
         values
     }
 
-    /// The law between two rests, from (0, 0) to (1, 1), as smooth pieces.
+    /// The law between two rests, from (0, 0) to (1, 1), as smooth pieces; a free law with the data that a form starts with.
     ///
     /// # Errors
     /// When a parameter of the law is outside the range that makes a curve.
     pub fn unit(&self, arguments: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
         match self.shape {
-            Shape::Rest => Ok(vec![Piece { until: 1.0, curve: Curve::polynomial(&[0.0]) }]),
+            Shape::Rest => Ok(single(Curve::polynomial(&[0.0]))),
             Shape::Unit(pieces) => pieces(arguments),
             Shape::Matched(orders) => {
                 let curve = matched_polynomial(orders, Svaj::default(), Svaj::new(1.0, 0.0, 0.0, 0.0));
-                Ok(vec![Piece { until: 1.0, curve }])
+                Ok(single(curve))
+            }
+            Shape::Free(Free { first, solve, .. }) => {
+                let data = first(1.0, 0.0, 1.0);
+                Ok(solve(&Given { data: &data, beta: 1.0, start: 0.0 })
+                    .map_or_else(|_| Vec::new(), |solved| solved.pieces))
             }
         }
     }
@@ -175,12 +225,12 @@ impl Law {
 
 /// A law with a single formula.
 fn single(curve: Curve) -> Vec<Piece> {
-    vec![Piece { until: 1.0, curve }]
+    vec![Piece::new(1.0, curve)]
 }
 
 /// A law in two halves: `first` up to x = ½, `second` after it.
 fn halves(first: Curve, second: Curve) -> Vec<Piece> {
-    vec![Piece { until: 0.5, curve: first }, Piece { until: 1.0, curve: second }]
+    vec![Piece::new(0.5, first), Piece::new(1.0, second)]
 }
 
 #[cfg(test)]
@@ -193,9 +243,9 @@ mod tests {
     }
 
     /// Value with one-sided limits: the piece is given, so both sides of a joint can be asked for.
-    fn spans(pieces: &[Piece]) -> Vec<(f64, f64, Curve)> {
+    fn spans(pieces: &[Piece]) -> Vec<(f64, f64, Form)> {
         let mut from = 0.0;
-        pieces.iter().map(|p| (std::mem::replace(&mut from, p.until), p.until, p.curve)).collect()
+        pieces.iter().map(|p| (std::mem::replace(&mut from, p.until), p.until, p.curve.clone())).collect()
     }
 
     fn peak(pieces: &[Piece], order: usize) -> f64 {
@@ -216,7 +266,7 @@ mod tests {
                 let pieces = law.unit(Arguments { parameters: law.default_parameters(), falling }).expect(law.id);
                 let spans = spans(&pieces);
                 assert!(spans[0].2.at(0.0).s.abs() < 1e-14, "{} starts at 0", law.id);
-                let (_, end, last) = spans[spans.len() - 1];
+                let (_, end, last) = spans[spans.len() - 1].clone();
                 assert!((end - 1.0).abs() < 1e-15 && (last.at(1.0).s - 1.0).abs() < 1e-13, "{} ends at 1", law.id);
                 for pair in spans.windows(2) {
                     let (left, right) = (pair[0].2.at(pair[0].1), pair[1].2.at(pair[0].1));
@@ -323,7 +373,7 @@ mod tests {
             ("half-cycloidal-start", 0.0, 2.0),
             ("half-cycloidal-end", 2.0, 0.0),
         ] {
-            let curve = rising(Law::by_id(id).expect(id))[0].curve;
+            let curve = &rising(Law::by_id(id).expect(id))[0].curve;
             assert!((curve.at(0.0).v - start).abs() < 1e-15 && (curve.at(1.0).v - end).abs() < 1e-15, "{id}");
             if id.starts_with("half-cycloidal") {
                 assert!(curve.at(0.0).a.abs() < 1e-15 && curve.at(1.0).a.abs() < 1e-14, "{id}");

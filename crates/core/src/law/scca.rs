@@ -49,7 +49,7 @@ pub(super) fn sine_constant_cosine(b: f64, c: f64) -> Vec<Piece> {
         (1.0 - 0.5 * b, Curve::polynomial(&[0.0, 0.0, -0.5])),
         (1.0, sine(b, 1.0)),
     ];
-    let mut pieces: Vec<Piece> = Vec::with_capacity(zones.len());
+    let mut joined: Vec<(f64, Curve)> = Vec::with_capacity(zones.len());
     let (mut from, mut height, mut slope) = (0.0, 0.0, 0.0);
     for (until, shape) in zones {
         if until - from < NARROWEST_ZONE {
@@ -60,18 +60,15 @@ pub(super) fn sine_constant_cosine(b: f64, c: f64) -> Vec<Piece> {
         let curve = add_line(shape, height - start.s - line * from, line);
         let end = curve.at(until);
         (from, height, slope) = (until, end.s, end.v);
-        match pieces.last_mut() {
-            Some(last) if same_formula(&last.curve, &curve) => last.until = until,
-            _ => pieces.push(Piece { until, curve }),
+        match joined.last_mut() {
+            Some(last) if same_formula(&last.1, &curve) => last.0 = until,
+            _ => joined.push((until, curve)),
         }
     }
-    if let Some(last) = pieces.last_mut() {
-        last.until = 1.0;
+    if let Some(last) = joined.last_mut() {
+        last.0 = 1.0;
     }
-    for piece in &mut pieces {
-        piece.curve = piece.curve.scaled(1.0 / height, 0.0);
-    }
-    pieces
+    joined.into_iter().map(|(until, curve)| Piece::new(until, curve.scaled(1.0 / height, 0.0))).collect()
 }
 
 /// A curve whose second derivative is sin(π(x − `from`)/`span`).

@@ -19,6 +19,7 @@ pub const LAW_CODES: &[(&str, &str)] = &[
     ("half-cycloidal-end", "Cb"),
     ("polynomial-3-4-5", "Q"),
     ("polynomial-5", "Qm"),
+    ("polynomial", "N"),
     ("polynomial-4-5-6-7", "S"),
     ("polynomial-7", "Sm"),
     ("modified-trapezoidal", "T"),

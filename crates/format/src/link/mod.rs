@@ -14,6 +14,7 @@
 //! opened as another design.
 
 mod codes;
+mod data;
 mod number;
 mod reader;
 mod title;
@@ -132,6 +133,7 @@ fn write(design: &Design) -> String {
         let values: Vec<f64> = std::iter::once(segment.rise).chain(segment.parameters).collect();
         let defaults = std::iter::once(Some(0.0)).chain(defaults_of(segment.law.parameters));
         write_values(&mut text, &values, defaults);
+        data::write(&mut text, &segment.data);
     }
     let sum = checksum(&text);
     text.push('.');
@@ -149,9 +151,13 @@ fn write_values(text: &mut String, values: &[f64], defaults: impl Iterator<Item 
     let pairs: Vec<(f64, Option<f64>)> = values.iter().copied().zip(defaults).collect();
     let told = pairs.iter().rposition(|&(value, default)| Some(value) != default).map_or(0, |last| last + 1);
     for &(value, _) in &pairs[..told] {
-        text.push(if value < 0.0 { '-' } else { '_' });
-        number::write(text, value.abs());
+        write_value(text, value);
     }
+}
+
+fn write_value(text: &mut String, value: f64) {
+    text.push(if value < 0.0 { '-' } else { '_' });
+    number::write(text, value.abs());
 }
 
 /// Unit, speed and rotation, each only when it is not the usual one.

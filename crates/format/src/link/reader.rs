@@ -1,6 +1,6 @@
 //! Reads the fields of a link whose checksum has matched.
 
-use super::{LinkError, codes, defaults_of, title};
+use super::{LinkError, codes, data, defaults_of, title};
 use crate::limits::MAX_SEGMENTS;
 use crate::{Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed};
 use levalab_core::Rotation;
@@ -19,7 +19,7 @@ pub(super) fn read(fields: &str) -> Result<Design, LinkError> {
 }
 
 /// What is left to read.
-struct Fields<'a>(&'a str);
+pub(super) struct Fields<'a>(&'a str);
 
 impl<'a> Fields<'a> {
     fn design(&mut self) -> Option<Design> {
@@ -63,11 +63,11 @@ impl<'a> Fields<'a> {
         let beta = self.number()?;
         let [rise] = self.values([Some(0.0)].into_iter())?;
         let parameters = self.values(defaults_of(law.parameters))?;
-        Some(SegmentDesign { law, beta, rise, parameters })
+        Some(SegmentDesign { law, beta, rise, parameters, data: data::read(self, law)? })
     }
 
     /// Signed values, as many as there are defaults; those not told are at their defaults.
-    fn values<const N: usize>(&mut self, defaults: impl Iterator<Item = Option<f64>>) -> Option<[f64; N]> {
+    pub fn values<const N: usize>(&mut self, defaults: impl Iterator<Item = Option<f64>>) -> Option<[f64; N]> {
         let mut values = [0.0; N];
         for (value, default) in values.iter_mut().zip(defaults) {
             *value = if self.take('_') {
@@ -89,7 +89,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Digits, a point among them perhaps, and a power of ten perhaps.
-    fn number(&mut self) -> Option<f64> {
+    pub fn number(&mut self) -> Option<f64> {
         let text = self.0;
         let digits =
             |from: usize| text[from..].find(|c: char| !c.is_ascii_digit()).map_or(text.len(), |length| from + length);
@@ -104,7 +104,7 @@ impl<'a> Fields<'a> {
         self.split(end).parse().ok()
     }
 
-    fn take(&mut self, c: char) -> bool {
+    pub fn take(&mut self, c: char) -> bool {
         let rest = self.0.strip_prefix(c);
         self.0 = rest.unwrap_or(self.0);
         rest.is_some()

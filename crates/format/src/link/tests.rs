@@ -10,7 +10,7 @@ use proptest::prelude::*;
 fn segment(id: &str, beta: f64, rise: f64) -> SegmentDesign {
     let law = Law::by_id(id).expect(id);
     let parameters = law.default_parameters();
-    SegmentDesign { law, beta, rise, parameters }
+    SegmentDesign { law, beta, rise, parameters, data: law.first_data(beta, 0.0, rise) }
 }
 
 /// Twelve segments as a student would draw them up, with everything else unlike the defaults.

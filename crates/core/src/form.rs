@@ -1,0 +1,61 @@
+//! The formula of a smooth stretch, in the form that suits where it came from.
+
+use crate::{Curve, Series, Svaj};
+use std::sync::Arc;
+
+/// A smooth curve: a short polynomial with waves, as most laws are, or a polynomial of any degree. Cheap to copy.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// A polynomial of low degree and sine waves.
+    Curve(Curve),
+    /// A polynomial as a Chebyshev series.
+    Series(Arc<Series>),
+}
+
+impl Form {
+    /// y and its three derivatives with respect to x.
+    #[must_use]
+    #[inline]
+    pub fn at(&self, x: f64) -> Svaj {
+        match self {
+            Self::Curve(curve) => curve.at(x),
+            Self::Series(series) => series.at(x),
+        }
+    }
+
+    /// k·y(x) + c.
+    #[must_use]
+    pub fn scaled(self, k: f64, c: f64) -> Self {
+        match self {
+            Self::Curve(curve) => curve.scaled(k, c).into(),
+            Self::Series(series) => Arc::unwrap_or_clone(series).scaled(k, c).into(),
+        }
+    }
+
+    /// True when it is a constant.
+    #[must_use]
+    pub fn is_constant(&self) -> bool {
+        matches!(self, Self::Curve(curve) if curve.coefficients().len() <= 1 && curve.waves().is_empty())
+    }
+
+    /// The coefficients of the powers of x, constant term first; none when the curve is more than a polynomial.
+    #[must_use]
+    pub fn coefficients(&self) -> Option<Vec<f64>> {
+        match self {
+            Self::Curve(curve) => curve.waves().is_empty().then(|| curve.coefficients().to_vec()),
+            Self::Series(series) => Some(series.coefficients()),
+        }
+    }
+}
+
+impl From<Curve> for Form {
+    fn from(curve: Curve) -> Self {
+        Self::Curve(curve)
+    }
+}
+
+impl From<Series> for Form {
+    fn from(series: Series) -> Self {
+        Self::Series(Arc::new(series))
+    }
+}

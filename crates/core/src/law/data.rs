@@ -1,0 +1,125 @@
+//! What a free law is made from besides numbers: conditions to meet, and what can be wrong with them.
+
+use super::Piece;
+
+/// A value that *s* or one of its derivatives takes somewhere in a segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Condition {
+    /// Where, from the segment's start; radians inside, as β is.
+    pub at: f64,
+    /// 0 for *s* to 3 for *j*.
+    pub order: u8,
+    /// *s* above the base circle, or its derivative with respect to θ.
+    pub value: f64,
+}
+
+/// The data of a segment whose law is free.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Data {
+    /// None, as most laws need none.
+    #[default]
+    None,
+    /// Conditions to meet, in any order.
+    Conditions(Vec<Condition>),
+}
+
+/// The kinds of data that a law may be made from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DataKind {
+    /// [`Data::Conditions`].
+    Conditions,
+}
+
+/// What a free law is solved for.
+#[derive(Clone, Copy, Debug)]
+pub struct Given<'a> {
+    /// The data, of the law's kind.
+    pub data: &'a Data,
+    /// β, radians.
+    pub beta: f64,
+    /// The height at which the segment before it ends.
+    pub start: f64,
+}
+
+/// The curve of a free law, in the units of the design and not between 0 and 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solved {
+    /// Its smooth pieces.
+    pub pieces: Vec<Piece>,
+    /// How many times larger an error of the data may come out: the condition number of the system that was solved.
+    pub condition: f64,
+}
+
+/// What is wrong with the data of a segment, and which of its items.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DataProblem {
+    /// It is not of the law's kind.
+    Kind,
+    /// Too few items, or too many.
+    Count {
+        /// How many there are.
+        found: usize,
+        /// The least there may be.
+        min: usize,
+        /// The most there may be.
+        max: usize,
+    },
+    /// A number that is not finite.
+    NotFinite {
+        /// The item.
+        item: usize,
+    },
+    /// A derivative of another order than 0 to 3.
+    Order {
+        /// The item.
+        item: usize,
+        /// The order given.
+        found: u8,
+    },
+    /// A place outside the segment.
+    Outside {
+        /// The item.
+        item: usize,
+        /// The place given.
+        found: f64,
+        /// β.
+        beta: f64,
+    },
+    /// The same derivative at the same place twice.
+    Repeated {
+        /// The item.
+        item: usize,
+        /// The item that came before.
+        other: usize,
+    },
+    /// Not one of them says a height, so that any would do.
+    NoHeight,
+    /// No single curve meets them: these depend on each other.
+    Dependent {
+        /// The items that do.
+        items: Vec<usize>,
+    },
+}
+
+impl Data {
+    /// The kind of data, when there is any.
+    #[must_use]
+    pub fn kind(&self) -> Option<DataKind> {
+        match self {
+            Self::None => None,
+            Self::Conditions(_) => Some(DataKind::Conditions),
+        }
+    }
+
+    /// The same data with places and heights in other units. Derivatives stay with respect to the same θ.
+    #[must_use]
+    pub fn scaled(&self, along: f64, up: f64) -> Self {
+        match self {
+            Self::None => Self::None,
+            Self::Conditions(conditions) => {
+                let scaled = |c: &Condition| Condition { at: c.at * along, order: c.order, value: c.value * up };
+                Self::Conditions(conditions.iter().map(scaled).collect())
+            }
+        }
+    }
+}

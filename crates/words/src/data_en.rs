@@ -1,0 +1,44 @@
+//! What is wrong with the data of a free law, in English.
+
+use crate::Language;
+use crate::voice::{measured, row};
+use levalab_format::DataRefusal;
+
+const EN: Language = Language::En;
+
+pub(crate) fn refusal(refusal: &DataRefusal) -> String {
+    match refusal {
+        DataRefusal::WrongOrder { found } => {
+            format!("The order must be 0 for s, 1 for v, 2 for a or 3 for j, and it is {}.", EN.exact(*found))
+        }
+        DataRefusal::WrongCount { found: 0, min, .. } => format!("The list is empty; it needs {min} at least."),
+        DataRefusal::WrongCount { found, min, max } => {
+            format!("There are {found} in the list; there must be from {min} to {max}.")
+        }
+        DataRefusal::Repeated { other } => {
+            format!("Condition {} already says this value at this place.", other + 1)
+        }
+        DataRefusal::NoHeight => {
+            "No condition says a height s, so the curve could lie at any height: give s somewhere.".to_owned()
+        }
+        DataRefusal::Dependent { items } if items.len() < 2 => {
+            let item = items.first().map_or(1, |item| item + 1);
+            format!(
+                "A polynomial of so few conditions has no such derivative: add conditions, or remove number {item}."
+            )
+        }
+        DataRefusal::Dependent { items } => {
+            let named: Vec<String> = items.iter().map(|item| (item + 1).to_string()).collect();
+            format!(
+                "No single polynomial meets them: conditions {} depend on each other, whatever their values. Move or change one of them.",
+                row(&named, "and")
+            )
+        }
+        DataRefusal::RiseDisagrees { found, expected, measure } => {
+            let [found, expected] = [found, expected].map(|value| measured(*value, *measure, EN));
+            format!(
+                "The data of the segment make it rise {expected}, not {found}: leave the rise out, or correct one of them."
+            )
+        }
+    }
+}

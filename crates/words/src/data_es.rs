@@ -1,0 +1,47 @@
+//! What is wrong with the data of a free law, in Spanish.
+
+use crate::Language;
+use crate::voice::{measured, row};
+use levalab_format::DataRefusal;
+
+const ES: Language = Language::Es;
+
+pub(crate) fn refusal(refusal: &DataRefusal) -> String {
+    match refusal {
+        DataRefusal::WrongOrder { found } => {
+            format!("El orden tiene que ser 0 para s, 1 para v, 2 para a o 3 para j, y es {}.", ES.exact(*found))
+        }
+        DataRefusal::WrongCount { found: 0, min, .. } => {
+            format!("La lista está vacía; necesita {min} como mínimo.")
+        }
+        DataRefusal::WrongCount { found, min, max } => {
+            format!("La lista tiene {found}; tiene que haber de {min} a {max}.")
+        }
+        DataRefusal::Repeated { other } => {
+            format!("La condición {} ya dice este valor en este sitio.", other + 1)
+        }
+        DataRefusal::NoHeight => {
+            "Ninguna condición dice una altura s, así que la curva podría estar a cualquiera: dé s en algún sitio."
+                .to_owned()
+        }
+        DataRefusal::Dependent { items } if items.len() < 2 => {
+            let item = items.first().map_or(1, |item| item + 1);
+            format!(
+                "Un polinomio con tan pocas condiciones no tiene esa derivada: añada condiciones, o quite la número {item}."
+            )
+        }
+        DataRefusal::Dependent { items } => {
+            let named: Vec<String> = items.iter().map(|item| (item + 1).to_string()).collect();
+            format!(
+                "Ningún polinomio único las cumple todas: las condiciones {} dependen unas de otras, valgan lo que valgan. Mueva o cambie alguna.",
+                row(&named, "y")
+            )
+        }
+        DataRefusal::RiseDisagrees { found, expected, measure } => {
+            let [found, expected] = [found, expected].map(|value| measured(*value, *measure, ES));
+            format!(
+                "Los datos del tramo lo hacen subir {expected} y no {found}: quite la subida, o corrija una de las dos cosas."
+            )
+        }
+    }
+}

@@ -1,0 +1,223 @@
+/**
+ * The conditions of a polynomial: a row for each place, a column for each of s, v, a, j; an empty cell is free.
+ *
+ * @import { FreeEditor } from "./free-editor.js"
+ * @import { Condition, Design, ShellContext, State } from "./types.d.ts"
+ * @import { NumberField } from "./number-field.js"
+ */
+import { clean } from "./clean.js";
+import { h, symbol } from "./dom.js";
+import { createNumberField, lengthStep, ownStep } from "./number-field.js";
+
+const ORDERS = ["s", "v", "a", "j"];
+
+/** Limits at a border as the engine gives them: s, v, a, j before it, and after it. */
+const BEFORE = 0;
+const AFTER = 4;
+
+/** Whether two numbers are the same but for rounding. @param {number} a @param {number} b */
+const same = (a, b) => Math.abs(a - b) <= 1e-9 * Math.max(Math.abs(a), Math.abs(b), 1e-9);
+
+/**
+ * @typedef {object} Row
+ * @property {number} at
+ * @property {HTMLElement} root
+ * @property {NumberField} place
+ * @property {NumberField[]} cells
+ * @property {HTMLButtonElement} inherit
+ * @property {HTMLButtonElement} remove
+ */
+
+/**
+ * @param {ShellContext} context
+ * @param {{ id: string, index: () => number }} place
+ * @returns {FreeEditor}
+ */
+export function createConditionTable(context, { id, index }) {
+  const { store, lab, t, format } = context;
+  /** @type {Row[]} */
+  let rows = [];
+  let made = 0;
+
+  const head = h("div", { class: "row head", "aria-hidden": "true" }, h("span", {}, symbol("θ"), " °"), ...ORDERS.map((order) => h("span", { class: order }, symbol(order))));
+  const body = h("div", { class: "body" });
+  const add = h("button", { type: "button", class: "quiet" });
+  const hint = h("span", { class: "hint" });
+  const root = h("div", { class: "conditions", role: "group" }, head, body, h("div", { class: "foot" }, add, hint));
+
+  /** @param {Readonly<Design>} design */
+  const segmentOf = (design) => design.segments[index()];
+  /** @param {Readonly<Design>} design */
+  const conditionsOf = (design) => segmentOf(design)?.conditions ?? [];
+
+  /**
+   * @param {Readonly<Design>} design
+   * @param {number} at
+   * @param {number} order
+   */
+  const find = (design, at, order) => conditionsOf(design).findIndex((condition) => condition.at === at && condition.order === order);
+
+  /**
+   * Puts a value in its place in the list: sorted, so that the same table is always the same design.
+   * @param {Design} draft
+   * @param {number} at
+   * @param {number} order
+   * @param {number} value
+   */
+  function put(draft, at, order, value) {
+    const list = conditionsOf(draft);
+    const known = list[find(draft, at, order)];
+    if (known) known.value = value;
+    else list.push({ at, order, value });
+    list.sort((a, b) => a.at - b.at || a.order - b.order);
+  }
+
+  /**
+   * @param {Design} draft
+   * @param {(condition: Condition) => boolean} goes
+   */
+  function drop(draft, goes) {
+    const segment = segmentOf(draft);
+    if (segment?.conditions) segment.conditions = segment.conditions.filter((condition) => !goes(condition));
+  }
+
+  /** @param {number} at */
+  function createRow(at) {
+    const rowId = `${id}-condition-${++made}`;
+    const where = () => ({ at: format.number(row.at, { unit: "°" }), number: index() + 1 });
+    const highlight = () => ({ segment: index() });
+    const place = createNumberField(context, {
+      id: `${rowId}-at`,
+      name: () => t("conditions.at", where()),
+      unit: () => "°",
+      read: () => row.at,
+      write: (draft, value) => {
+        for (const condition of conditionsOf(draft)) if (condition.at === row.at) condition.at = value;
+        row.at = value;
+      },
+      step: () => 1,
+      path: () => `segments[${index()}].conditions[${conditionsOf(store.state.design).findIndex((condition) => condition.at === row.at)}].at`,
+      highlight,
+    });
+    const cells = ORDERS.map((sign, order) =>
+      createNumberField(context, {
+        id: `${rowId}-${sign}`,
+        name: () => t("conditions.value", { sign, ...where() }),
+        unit: () => "",
+        read: (design) => conditionsOf(design)[find(design, row.at, order)]?.value,
+        write: (draft, value) => put(draft, row.at, order, value),
+        clear: (draft) => drop(draft, (condition) => condition.at === row.at && condition.order === order),
+        step: (design) => (order > 0 ? ownStep(conditionsOf(design)[find(design, row.at, order)]?.value ?? 0) : design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
+        path: () => `segments[${index()}].conditions[${find(store.state.design, row.at, order)}].value`,
+        highlight,
+      }),
+    );
+    const inherit = h("button", { type: "button", class: "inherit" });
+    const remove = h("button", { type: "button", class: "remove" }, "×");
+    /** @type {Row} */
+    const row = {
+      at,
+      place,
+      cells,
+      inherit,
+      remove,
+      root: h("div", { class: "row" }, place.input, ...cells.map(({ input }) => input), inherit, remove, place.error, ...cells.map(({ error }) => error)),
+    };
+    inherit.addEventListener("click", () => take(row));
+    remove.addEventListener("click", () => {
+      const next = rows.indexOf(row);
+      rows = rows.filter((other) => other !== row);
+      row.root.remove();
+      store.edit(t("edit.condition"), (draft) => drop(draft, (condition) => condition.at === row.at));
+      (rows[next] ?? rows.at(-1))?.cells[0]?.input.focus();
+    });
+    for (const field of [place, ...cells]) field.speak();
+    return row;
+  }
+
+  /** Neighbour's s, v, a, j at the end of the segment that a row lies on; none for a row within. @param {Row} row */
+  function neighbour(row) {
+    const segment = segmentOf(store.state.design);
+    const limits = [...lab().limits(index() + (row.at === 0 ? 0 : 1))];
+    if (limits.length === 0) return null;
+    if (row.at === 0) return limits.slice(BEFORE, AFTER).map(clean);
+    return row.at === segment?.beta ? limits.slice(AFTER).map(clean) : null;
+  }
+
+  /**
+   * Takes s, v and a from the neighbour; when it has those already, j as well.
+   * @param {Row} row
+   */
+  function take(row) {
+    const values = neighbour(row);
+    if (!values) return;
+    const { design } = store.state;
+    const met = values.slice(0, 3).every((value, order) => same(conditionsOf(design)[find(design, row.at, order)]?.value ?? NaN, value));
+    store.edit(t("edit.condition"), (draft) => {
+      values.slice(0, met ? 4 : 3).forEach((value, order) => put(draft, row.at, order, value));
+    });
+  }
+
+  /** A place in the middle of the widest gap, at the height that the curve has there. */
+  add.addEventListener("click", () => {
+    const segment = segmentOf(store.state.design);
+    if (!segment) return;
+    const places = [...new Set([0, ...rows.map(({ at }) => at), segment.beta])].sort((a, b) => a - b);
+    const widest = places.slice(1).reduce((best, at, k) => (at - (places[k] ?? 0) > (places[best + 1] ?? 0) - (places[best] ?? 0) ? k : best), 0);
+    const at = clean(((places[widest] ?? 0) + (places[widest + 1] ?? 0)) / 2);
+    const out = new Float64Array(32);
+    lab().at((store.state.report.borders[index()] ?? 0) + at, out);
+    const height = Number((out[0] ?? 0).toPrecision(4));
+    store.edit(t("edit.condition"), (draft) => put(draft, at, 0, height));
+    update(store.state);
+    rows.find((row) => row.at === at)?.cells[0]?.input.focus();
+  });
+
+  /** @param {Readonly<State>} state */
+  function update(state) {
+    const segment = segmentOf(state.design);
+    if (!segment) return;
+    const places = new Set(conditionsOf(state.design).map(({ at }) => at));
+    // A row that was just emptied stays while it is being worked on.
+    rows = rows.filter((row, k) => rows.findIndex(({ at }) => at === row.at) === k && (places.has(row.at) || row.root.contains(document.activeElement)));
+    for (const at of places) if (!rows.some((row) => row.at === at)) rows.push(createRow(at));
+    rows.sort((a, b) => a.at - b.at);
+    const roots = rows.map((row) => row.root);
+    if (roots.length !== body.children.length || roots.some((node, k) => body.children[k] !== node)) body.replaceChildren(...roots);
+    for (const row of rows) {
+      const [first, last] = [row.at === 0, row.at === segment.beta];
+      row.place.input.disabled = first || last;
+      row.inherit.style.visibility = first || last ? "" : "hidden";
+      row.inherit.textContent = first ? "↑" : "↓";
+      const label = first ? t("conditions.inherit.before") : t("conditions.inherit.after");
+      row.inherit.setAttribute("aria-label", label);
+      row.inherit.title = label;
+      row.remove.disabled = rows.length === 1;
+      for (const field of [row.place, ...row.cells]) field.update(state);
+    }
+    const count = conditionsOf(state.design).length;
+    hint.textContent = t("conditions.degree", { count, degree: count - 1 });
+  }
+
+  function speak() {
+    root.setAttribute("aria-label", t("conditions.title", { number: index() + 1 }));
+    add.textContent = t("conditions.add");
+    for (const row of rows) {
+      row.remove.setAttribute("aria-label", t("conditions.remove", { at: format.number(row.at, { unit: "°" }) }));
+      row.remove.title = row.remove.ariaLabel ?? "";
+      for (const field of [row.place, ...row.cells]) field.speak();
+    }
+    update(store.state);
+  }
+
+  speak();
+  return {
+    root,
+    update,
+    speak,
+    reset() {
+      for (const row of rows) for (const field of [row.place, ...row.cells]) field.reset();
+    },
+    paths: () => conditionsOf(store.state.design).flatMap((_, k) => ["at", "value"].map((key) => `segments[${index()}].conditions[${k}].${key}`)),
+  };
+}
