@@ -74,9 +74,10 @@ fn width_of(character: char) -> f64 {
     }
 }
 
-/// Least and greatest value of a quantity within `reach` degrees of θ, limits at joints included.
+/// Least and greatest value of a quantity within `reach` degrees of θ, limits at joints included; looked at closely enough for half a
+/// wave in between.
 fn around(quantity: Quantity, cam: &Cam, theta: f64, reach: f64) -> (f64, f64) {
-    const PARTS: i32 = 8;
+    const PARTS: i32 = 64;
     let value = |motion: Svaj| match quantity {
         Quantity::S => motion.s,
         Quantity::V => motion.v,
