@@ -63,6 +63,15 @@ fn judge(cam: &Cam, before: &Analysis, finding: &Finding, cure: &Cure) -> Result
             let passes = smaller.is_ok_and(|cam| !analysis(&cam).findings.iter().any(blames_geometry));
             prop_assert!(!passes, "{told}, but a hundredth less would do");
         }
+        Cure::Travel(length) => {
+            let resize = |length: f64| levalab_core::resized(cam, length).expect("a cure is a cam");
+            let left = analysis(&resize(*length)).findings.into_iter().find(blames_geometry);
+            prop_assert!(left.is_none(), "{told} leaves {left:?}");
+            prop_assert!(
+                analysis(&resize(0.99 * length)).findings.iter().any(blames_geometry),
+                "{told}, but less would do"
+            );
+        }
         Cure::Eccentricity { value, pressure_angle } => {
             let after = analysis(&with_eccentricity(cam, *value));
             let angles = after.summary.pressure_angle;

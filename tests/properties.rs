@@ -99,7 +99,7 @@ proptest! {
 
     #[test]
     fn the_profile_closes_wherever_displacement_and_velocity_do(cam in cam()) {
-        for (stretch, before, after) in cam.program.joints() {
+        for (_, stretch, before, after) in cam.program.joints() {
             let scale = 1.0 + before.v.abs() + after.v.abs();
             if (before.s - after.s).abs() < 1e-12 && (before.v - after.v).abs() < 1e-12 * scale {
                 let (left, right) = (cam.follower.contact(before).point, cam.follower.contact(after).point);

@@ -67,7 +67,10 @@ pub(crate) fn draw(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style:
         horizontal(sketch, frame, limit, style.limit.mix(LIMIT), Dash::Limit);
     }
     if style.x_labels {
-        label_angles(sketch, frame, style);
+        match diagram.travel {
+            Some(length) => label_lengths(sketch, frame, style, length),
+            None => label_angles(sketch, frame, style),
+        }
     }
 }
 
@@ -129,13 +132,26 @@ fn label_angles(sketch: &mut Sketch, frame: &Frame, style: &Style) {
     let muted = style.muted.to_rgba();
     let numerals = Numerals { decimal_comma: style.decimal_comma };
     for angle in (0..=turn).step_by(angle_step(gap) as usize) {
-        let x = frame.x(f64::from(angle));
-        let tick = frame.sharp(x);
-        sketch.line((tick, frame.bottom), (tick, frame.bottom + frame.ems(TICK)), frame.thin(), muted, Dash::Full);
         let mut text = numerals.fixed(f64::from(angle), 0);
         if angle == turn {
             text.push('°');
         }
-        sketch.text(text, (x, frame.bottom + frame.ems(X_LABEL_DROP)), HPos::Center, muted);
+        label_place(sketch, frame, muted, f64::from(angle), text);
     }
+}
+
+fn label_lengths(sketch: &mut Sketch, frame: &Frame, style: &Style, length: f64) {
+    let gap = length * frame.em * X_GAP / f64::from(frame.right - frame.left);
+    let numerals = Numerals { decimal_comma: style.decimal_comma };
+    let ticks = Ticks::within(0.0, length, gap);
+    for value in ticks.values() {
+        label_place(sketch, frame, style.muted.to_rgba(), value, ticks.label(value, numerals));
+    }
+}
+
+fn label_place(sketch: &mut Sketch, frame: &Frame, muted: RGBAColor, theta: f64, text: String) {
+    let x = frame.x(theta);
+    let tick = frame.sharp(x);
+    sketch.line((tick, frame.bottom), (tick, frame.bottom + frame.ems(TICK)), frame.thin(), muted, Dash::Full);
+    sketch.text(text, (x, frame.bottom + frame.ems(X_LABEL_DROP)), HPos::Center, muted);
 }

@@ -1,6 +1,6 @@
 //! A diagram as data: what there is to draw, in the units of its axes.
 
-use crate::gather::gather;
+use crate::gather::{gather, place};
 use crate::radius;
 use crate::{Quantity, Timing};
 use levalab_core::{Analysis, Cam};
@@ -20,6 +20,8 @@ pub struct Diagram {
     pub(crate) points: Vec<Point>,
     pub(crate) runs: Vec<Run>,
     pub(crate) jumps: Vec<Jump>,
+    /// The length of a cam that travels, whose places are lengths.
+    pub(crate) travel: Option<f64>,
     /// Borders of the segments.
     pub(crate) borders: Vec<f64>,
     /// Values that should not be passed.
@@ -78,7 +80,7 @@ impl Diagram {
         if quantity != Quantity::Rho {
             let size = analysis.summary.s.greatest_size().0 * factor;
             diagram.allow_for_nothing(size);
-            diagram.note_extremes(analysis, factor);
+            diagram.note_extremes(cam, analysis, factor);
         }
         diagram
     }
@@ -114,7 +116,7 @@ impl Diagram {
         }
     }
 
-    fn note_extremes(&mut self, analysis: &Analysis, factor: f64) {
+    fn note_extremes(&mut self, cam: &Cam, analysis: &Analysis, factor: f64) {
         let summary = &analysis.summary;
         let found = match self.quantity {
             Quantity::S => summary.s,
@@ -129,7 +131,7 @@ impl Diagram {
             return;
         }
         let places = [(found.max_at, found.max), (found.min_at, found.min)];
-        let places = places.map(|(theta, value)| (theta.to_degrees(), value * factor));
+        let places = places.map(|(theta, value)| (place(cam, theta), value * factor));
         self.extremes = places.into_iter().filter(|&(_, value)| value.abs() > significant).collect();
     }
 }

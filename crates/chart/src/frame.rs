@@ -40,7 +40,7 @@ pub struct PlotArea {
     pub width: f64,
     /// Height of the plot.
     pub height: f64,
-    /// θ at the left edge, degrees.
+    /// θ at the left edge, degrees (or length for a cam that travels).
     pub x_min: f64,
     /// θ at the right edge, degrees.
     pub x_max: f64,
@@ -63,6 +63,8 @@ pub(crate) struct Frame {
     pub pixel: f64,
     /// Height of the type in units.
     pub em: f64,
+    /// θ at the right edge: 360°, or the length of a travel.
+    pub whole: f64,
     low: f64,
     high: f64,
     /// Thin lines lie on multiples of this.
@@ -93,6 +95,7 @@ impl Frame {
             height: height as i32,
             pixel: ratio * units,
             em: em * ratio * units,
+            whole: diagram.travel.unwrap_or(TURN),
             low,
             high,
             weight: style.weight(),
@@ -106,7 +109,7 @@ impl Frame {
     }
 
     pub fn x(&self, theta: f64) -> i32 {
-        (f64::from(self.left) + f64::from(self.right - self.left) * theta / TURN).round() as i32
+        (f64::from(self.left) + f64::from(self.right - self.left) * theta / self.whole).round() as i32
     }
 
     pub fn y(&self, value: f64) -> i32 {
@@ -159,7 +162,7 @@ impl Frame {
             width: f64::from(self.right - self.left) * across,
             height: f64::from(self.bottom - self.top) * down,
             x_min: 0.0,
-            x_max: TURN,
+            x_max: self.whole,
             y_min: self.low,
             y_max: self.high,
         }

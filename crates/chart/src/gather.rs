@@ -23,7 +23,8 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor:
         points: Vec::with_capacity(rows.len() + 2 * stretches.len()),
         runs: Vec::with_capacity(stretches.len()),
         jumps: Vec::new(),
-        borders: cam.program.borders().iter().map(|border| border.to_degrees()).collect(),
+        travel: (!cam.program.is_cyclic()).then(|| cam.program.span()),
+        borders: cam.program.borders().iter().map(|&border| place(cam, border)).collect(),
         limits: Vec::new(),
         forbidden: Vec::new(),
         extremes: Vec::new(),
@@ -40,11 +41,11 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor:
         match before {
             Some(before) if !(may_jump && differ(before, first)) => {}
             Some(before) => {
-                diagram.jumps.push(Jump { theta: stretch.from.to_degrees(), before, after: first });
+                diagram.jumps.push(Jump { theta: place(cam, stretch.from), before, after: first });
                 diagram.end_run(&mut start);
-                diagram.points.push((stretch.from.to_degrees(), first));
+                diagram.points.push((place(cam, stretch.from), first));
             }
-            None => diagram.points.push((stretch.from.to_degrees(), first)),
+            None => diagram.points.push((place(cam, stretch.from), first)),
         }
         row += rows[row..].partition_point(|&theta| theta <= stretch.from + SNAP);
         let after = row + rows[row..].partition_point(|&theta| theta < stretch.to - SNAP);
@@ -52,13 +53,13 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor:
             // Two ends are a straight line.
         } else if after - row + 1 >= LEAST_PARTS {
             let inside = rows[row..after].iter().zip(&values[row..after]);
-            diagram.points.extend(inside.map(|(theta, value)| (theta.to_degrees(), value * factor)));
+            diagram.points.extend(inside.map(|(&theta, value)| (place(cam, theta), value * factor)));
         } else {
             let part = (stretch.to - stretch.from) / LEAST_PARTS as f64;
             let inside = (1..LEAST_PARTS).map(|i| stretch.from + part * i as f64);
-            diagram.points.extend(inside.map(|theta| (theta.to_degrees(), value(stretch, theta))));
+            diagram.points.extend(inside.map(|theta| (place(cam, theta), value(stretch, theta))));
         }
-        diagram.points.push((stretch.to.to_degrees(), value(stretch, stretch.to)));
+        diagram.points.push((place(cam, stretch.to), value(stretch, stretch.to)));
         row = after;
     }
     diagram.end_run(&mut start);
@@ -74,6 +75,9 @@ impl Diagram {
 
     /// A jump where the turn begins is shown at both edges, because the last segment joins the first.
     fn close_the_cycle(&mut self, analysis: &Analysis) {
+        if self.travel.is_some() {
+            return;
+        }
         let (Some(&(_, after)), Some(&(end, before))) = (self.points.first(), self.points.last()) else { return };
         let order = self.quantity.order();
         let may_jump = analysis.joints.first().is_some_and(|joint| joint.jump.is_some_and(|jump| jump <= order));
@@ -82,6 +86,11 @@ impl Diagram {
             self.jumps.push(Jump { theta: end, before, after });
         }
     }
+}
+
+/// A place of the cycle as it is drawn: degrees, or length for a cam that travels.
+pub(crate) fn place(cam: &Cam, theta: f64) -> f64 {
+    if cam.program.is_cyclic() { theta.to_degrees() } else { theta }
 }
 
 fn differ(a: f64, b: f64) -> bool {

@@ -1,6 +1,7 @@
 //! ρ over the turn: a range that tells something, and a curve cut where it leaves it.
 
 use crate::diagram::{Diagram, Extent, Point, Run};
+use crate::gather::place;
 use levalab_core::{Analysis, Cam};
 
 /// ρ is shown whole while it stays within this many medians of |ρ|.
@@ -31,7 +32,7 @@ pub(crate) fn finish(diagram: &mut Diagram, cam: &Cam, analysis: &Analysis) {
     let places = [summary.least_convex, summary.tightest_hollow, widest].into_iter().flatten();
     let level = summary.rho.max - summary.rho.min <= LEVEL * base;
     let places = places.filter(|&(rho, _)| low <= rho && rho <= high).take(if level { 1 } else { 3 });
-    diagram.extremes = places.map(|(rho, theta)| (theta.to_degrees(), rho)).collect();
+    diagram.extremes = places.map(|(rho, theta)| (place(cam, theta), rho)).collect();
     if cut {
         let bend = Bend { radius: (!cam.follower.is_flat()).then_some(radius), low, high };
         cut_to(diagram, bend);

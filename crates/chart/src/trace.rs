@@ -63,7 +63,7 @@ pub(crate) fn marks(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style
             sketch.marks.push(Mark::Dot { centre, radius, colour: background });
             sketch.marks.push(Mark::Ring { centre, radius, width: frame.thin(), colour });
         }
-        if frame.holds(jump.after) && !wraps(jump, 360.0) {
+        if frame.holds(jump.after) && !wraps(jump, frame.whole) {
             sketch.marks.push(Mark::Dot { centre: (x, frame.y(jump.after)), radius, colour });
         }
     }

@@ -1,6 +1,7 @@
 //! `levalab analyze`: everything there is to say about a cam, for other programs.
 
 use crate::failure::Failure;
+use crate::input::Cams;
 use levalab_core::{Analysis, Cam};
 use levalab_format::report::{self, DesignFinding, Report, level_name};
 use levalab_format::{Design, DesignCure, Edit};
@@ -13,6 +14,9 @@ struct Answer {
     verdict: Verdict,
     summary: InOrder<report::Range>,
     columns: InOrder<Vec<f64>>,
+    /// The second cam of a pair.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    conjugate: Option<Box<Answer>>,
 }
 
 #[derive(Serialize)]
@@ -52,7 +56,13 @@ impl<T: Serialize> Serialize for InOrder<T> {
 }
 
 /// Verdict, summary and columns; what is not finite is null.
-pub fn json(design: &Design, cam: &Cam, samples: usize, language: Language) -> Result<String, Failure> {
+pub fn json(design: &Design, cams: &Cams, samples: usize, language: Language) -> Result<String, Failure> {
+    let second = cams.second.as_ref().map(|cam| Box::new(answer(design, cam, samples, language)));
+    let answer = Answer { conjugate: second, ..answer(design, &cams.first, samples, language) };
+    serde_json::to_string(&answer).map(|text| text + "\n").map_err(|_| Failure::no_output(language))
+}
+
+fn answer(design: &Design, cam: &Cam, samples: usize, language: Language) -> Answer {
     let analysis = Analysis::of(cam, samples);
     let report = Report::of(design, cam, &analysis);
     let cures = levalab_format::cures(design, cam, &analysis);
@@ -63,14 +73,18 @@ pub fn json(design: &Design, cam: &Cam, samples: usize, language: Language) -> R
         findings: findings.collect(),
     };
     let columns = InOrder(report::columns(design, &analysis));
-    let answer = Answer { verdict, summary: InOrder(report.summary), columns };
-    serde_json::to_string(&answer).map(|text| text + "\n").map_err(|_| Failure::no_output(language))
+    Answer { verdict, summary: InOrder(report.summary), columns, conjugate: None }
 }
 
-/// The columns; what is not finite is `inf` or `-inf`.
-pub fn csv(design: &Design, cam: &Cam, samples: usize) -> String {
-    let columns = report::columns(design, &Analysis::of(cam, samples));
-    let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+/// The columns, those of a second cam after those of the first; what is not finite is `inf` or `-inf`.
+pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
+    let of = |cam: &Cam| report::columns(design, &Analysis::of(cam, samples));
+    let mut columns: Vec<(String, Vec<f64>)> = named(of(&cams.first), "");
+    if let Some(second) = &cams.second {
+        // Both cams turn together: one θ serves.
+        columns.extend(named(of(second), "conjugate_").into_iter().skip(1));
+    }
+    let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut text = names.join(",") + "\n";
     for row in 0..=samples {
         for (k, (_, values)) in columns.iter().enumerate() {
@@ -83,6 +97,10 @@ pub fn csv(design: &Design, cam: &Cam, samples: usize) -> String {
     text
 }
 
+fn named(columns: Vec<(&str, Vec<f64>)>, prefix: &str) -> Vec<(String, Vec<f64>)> {
+    columns.into_iter().map(|(name, values)| (format!("{prefix}{name}"), values)).collect()
+}
+
 fn found(design: &Design, finding: &DesignFinding, cures: &[DesignCure], language: Language) -> Found {
     let told = |cure: &DesignCure| Cured {
         message: levalab_words::cure(language, design, finding, &cure.remedy),
@@ -91,7 +109,7 @@ fn found(design: &Design, finding: &DesignFinding, cures: &[DesignCure], languag
     let cures: Vec<Cured> = cures.iter().map(told).collect();
     Found {
         code: finding.kind.code(),
-        severity: level_name(finding.kind.severity()),
+        severity: level_name(finding.level),
         theta: finding.theta,
         interval: finding.interval,
         places: finding.places.clone(),

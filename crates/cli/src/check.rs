@@ -2,7 +2,8 @@
 
 use crate::failure::{Failure, shown};
 use crate::{input, output};
-use levalab_core::{Analysis, Level};
+use levalab_core::{Analysis, Cam, Level};
+use levalab_format::Design;
 use levalab_format::report::Report;
 use levalab_words::Language;
 use std::process::ExitCode;
@@ -38,19 +39,28 @@ fn code_of(level: Level) -> u8 {
     }
 }
 
-/// The headline, then each finding with its cures.
+/// The verdict on a design: the worse of its cams, and what is said of each.
 fn judge(file: &str, language: Language) -> Result<(Level, String), Failure> {
-    let (design, cam) = input::design_and_cam(file, language)?;
+    let (design, cams) = input::design_and_cams(file, language)?;
+    let (level, text) = verdict(&design, &cams.first, language);
+    Ok(match cams.second.map(|second| verdict(&design, &second, language)) {
+        Some((second, more)) => (level.max(second), format!("{text}{}: {more}", levalab_words::second_cam(language))),
+        None => (level, text),
+    })
+}
+
+/// The headline, then each finding with its cures.
+fn verdict(design: &Design, cam: &Cam, language: Language) -> (Level, String) {
     // The verdict is exact whatever the steps are.
-    let analysis = Analysis::of(&cam, 1);
-    let report = Report::of(&design, &cam, &analysis);
+    let analysis = Analysis::of(cam, 1);
+    let report = Report::of(design, cam, &analysis);
     let mut text = levalab_words::headline(language, &report) + "\n";
-    let cures = levalab_format::cures(&design, &cam, &analysis);
+    let cures = levalab_format::cures(design, cam, &analysis);
     for (finding, cures) in report.findings.iter().zip(&cures) {
-        text += &format!("  {}\n", levalab_words::finding(language, &design, finding));
+        text += &format!("  {}\n", levalab_words::finding(language, design, finding));
         for cure in cures {
-            text += &format!("  → {}\n", levalab_words::cure(language, &design, finding, &cure.remedy));
+            text += &format!("  → {}\n", levalab_words::cure(language, design, finding, &cure.remedy));
         }
     }
-    Ok((report.level, text))
+    (report.level, text)
 }

@@ -16,16 +16,26 @@ const LONGEST_ADDRESS: usize = 8192;
 
 /// The design of a design file.
 pub fn design(name: &str, language: Language) -> Result<Design, Failure> {
-    design_and_cam(name, language).map(|(design, _)| design)
+    design_and_cams(name, language).map(|(design, _)| design)
 }
 
-/// The design of a design file, and the cam that it is.
-pub fn design_and_cam(name: &str, language: Language) -> Result<(Design, Cam), Failure> {
+/// The cam that a design is, and the second one of a pair.
+pub struct Cams {
+    pub first: Cam,
+    pub second: Option<Cam>,
+}
+
+/// The design of a design file, and the cams that it is.
+pub fn design_and_cams(name: &str, language: Language) -> Result<(Design, Cams), Failure> {
     // One byte more than the most, so that a file that is too large is seen to be.
     let bytes = read(name, MAX_FILE_BYTES + 1, language)?;
     let design = Design::from_bytes(&bytes);
-    let both = design.and_then(|design| design.cam().map(|cam| (design, cam)));
-    both.map_err(|error| Failure::design(&error, name, language))
+    let cams = |design: Design| {
+        let first = design.cam()?;
+        let second = design.second(&first)?;
+        Ok((design, Cams { first, second }))
+    };
+    design.and_then(cams).map_err(|error| Failure::design(&error, name, language))
 }
 
 /// The design of a link.

@@ -95,9 +95,9 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
     let text = match command {
         Command::Check { files } => return check::run(&files, language),
         Command::Analyze(Analyze { file, samples, csv, .. }) => {
-            let (design, cam) = input::design_and_cam(&file, language)?;
+            let (design, cams) = input::design_and_cams(&file, language)?;
             let samples = samples as usize;
-            if csv { analyze::csv(&design, &cam, samples) } else { analyze::json(&design, &cam, samples, language)? }
+            if csv { analyze::csv(&design, &cams, samples) } else { analyze::json(&design, &cams, samples, language)? }
         }
         Command::Link { file } => {
             let design = input::design(&file, language)?;

@@ -3,8 +3,8 @@
 use crate::extreme::{extremes, intervals};
 use crate::interference::{arm_cut, crossing};
 use crate::samples::{Quantity, Samples};
-use crate::{Body, Cam, Extremes, Finding, FindingKind, Joint, Level, Point, Program};
-use std::f64::consts::TAU;
+use crate::{Body, Cam, Closure, Contact, Extremes, Finding, FindingKind, Joint, Level, Point, Program};
+use std::f64::consts::{PI, TAU};
 
 /// |φ| may pass its limit by this much (radians), which is rounding: a cure that is solved for lands on the limit.
 const ANGLE_TOLERANCE: f64 = 1e-9;
@@ -15,7 +15,7 @@ const CUSP_TOLERANCE: f64 = 1e-9;
 /// How far below the base circle rounding may take the follower, as a part of its whole travel.
 const BELOW_TOLERANCE: f64 = 1e-9;
 
-/// Extremes over the turn, refined between stations. Angles in radians.
+/// Extremes over the cycle, refined between stations. Angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
     /// Displacement.
@@ -38,6 +38,8 @@ pub struct Summary {
     pub least_convex: Option<(f64, f64)>,
     /// The tightest hollow, as a negative ρ, and its θ.
     pub tightest_hollow: Option<(f64, f64)>,
+    /// The breadth of a cam held by a yoke, measured over the turn; least and greatest differ by rounding alone.
+    pub breadth: Option<Extremes>,
 }
 
 /// A column of the analysis, in the units of the core.
@@ -69,11 +71,15 @@ pub enum Column {
     PitchY,
     /// Contact on a flat face.
     Contact,
+    /// Outer wall of a groove in the cam's frame.
+    OuterX,
+    /// Outer wall of a groove in the cam's frame.
+    OuterY,
 }
 
 impl Column {
     /// Every column, in the order of reports.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 15] = [
         Self::Theta,
         Self::S,
         Self::V,
@@ -87,6 +93,8 @@ impl Column {
         Self::PitchX,
         Self::PitchY,
         Self::Contact,
+        Self::OuterX,
+        Self::OuterY,
     ];
 
     /// Its name in reports.
@@ -106,6 +114,8 @@ impl Column {
             Self::PitchX => "pitch_x",
             Self::PitchY => "pitch_y",
             Self::Contact => "contact",
+            Self::OuterX => "outer_x",
+            Self::OuterY => "outer_y",
         }
     }
 }
@@ -139,7 +149,7 @@ impl Analysis {
         let summary = summarise(cam, &samples);
         let joints = cam.program.classified_joints();
         let findings = judge(cam, &samples, &summary, &joints);
-        let level = findings.iter().map(|finding| finding.kind.severity()).max().unwrap_or(Level::Acceptable);
+        let level = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Acceptable);
         Self { columns: tabulate(cam, samples, steps), summary, joints, findings, level }
     }
 
@@ -169,7 +179,27 @@ fn summarise(cam: &Cam, samples: &Samples) -> Summary {
         reach: flat.then(|| of(Quantity::Reach)),
         least_convex: if flat { Some((bend.min, bend.min_at)) } else { (bend.max > 0.0).then_some(least) },
         tightest_hollow: (!flat && bend.min < 0.0).then(|| (1.0 / bend.min - radius, bend.min_at)),
+        breadth: (cam.closure == Closure::Yoke).then(|| measured_breadth(cam, samples)),
     }
+}
+
+/// The distance between the two parallel tangents of the profile (or between the near sides of two rollers on the same
+/// diameter), station by station: half a turn away is as many stations away.
+fn measured_breadth(cam: &Cam, samples: &Samples) -> Extremes {
+    let s = samples.grid(Quantity::S);
+    let half = s.len() / 2;
+    let facing = |i: usize| 2.0 * cam.follower.base_radius + s[i] + cam.program.at(samples.theta[i] + PI).s;
+    let mut found = Extremes { min: f64::INFINITY, min_at: 0.0, max: f64::NEG_INFINITY, max_at: 0.0 };
+    for i in 0..half.max(1) {
+        let (breadth, theta) = (facing(i), samples.theta[i]);
+        if breadth < found.min {
+            (found.min, found.min_at) = (breadth, theta);
+        }
+        if breadth > found.max {
+            (found.max, found.max_at) = (breadth, theta);
+        }
+    }
+    found
 }
 
 /// Extremes of 1/κ − `radius` from those of κ: monotone while κ keeps its sign, unbounded when it does not.
@@ -178,16 +208,19 @@ fn radii(curvature: &Extremes, radius: f64) -> Extremes {
     if min < 0.0 && max > 0.0 {
         return Extremes { min: f64::NEG_INFINITY, min_at, max: f64::INFINITY, max_at };
     }
+    // Hollow all along and straight somewhere: ρ comes from −∞.
+    let max = if max == 0.0 && min < 0.0 { -0.0 } else { max };
     Extremes { min: 1.0 / max - radius, min_at: max_at, max: 1.0 / min - radius, max_at: min_at }
 }
 
 fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> Vec<Finding> {
     let (mild, mut findings): (Vec<Finding>, Vec<Finding>) =
-        jumps(joints).into_iter().partition(|finding| finding.kind.severity() < Level::Unacceptable);
+        jumps(cam, joints).into_iter().partition(|finding| finding.level < Level::Unacceptable);
     findings.extend(doubtful(&cam.program));
     findings.extend(steep(cam, samples, summary));
     findings.extend(below_base(cam, samples, summary));
-    let cuts = irregular(cam, samples, summary);
+    let mut cuts = irregular(cam, samples, summary);
+    cuts.extend(groove_cuts(cam, samples));
     let regular = cuts.is_empty();
     findings.extend(cuts);
     findings.extend(misplaced(cam, samples, summary));
@@ -200,7 +233,7 @@ fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> V
 }
 
 /// One finding for each order that jumps, with all its places.
-fn jumps(joints: &[Joint]) -> Vec<Finding> {
+fn jumps(cam: &Cam, joints: &[Joint]) -> Vec<Finding> {
     let size = |joint: &Joint, order: u8| {
         (joint.after.order(usize::from(order)) - joint.before.order(usize::from(order))).abs()
     };
@@ -209,6 +242,7 @@ fn jumps(joints: &[Joint]) -> Vec<Finding> {
         let worst = here.iter().copied().max_by(|a, b| size(a, order).total_cmp(&size(b, order)))?;
         Some(Finding {
             kind: FindingKind::Jump(order),
+            level: FindingKind::Jump(order).severity(cam.closure),
             theta: worst.theta,
             interval: None,
             places: here.iter().map(|joint| joint.theta).collect(),
@@ -232,7 +266,7 @@ fn steep(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {
     let (value, theta) = summary.pressure_angle.greatest_size();
     (value > limit + ANGLE_TOLERANCE).then(|| {
         let stretches = intervals(cam, samples, Quantity::PressureAngle, theta, |angle| angle.abs() - limit);
-        finding(FindingKind::PressureAngle, theta, value, limit, around(&stretches, theta))
+        finding(FindingKind::PressureAngle, theta, value, limit, around(cam, &stretches, theta))
     })
 }
 
@@ -240,14 +274,14 @@ fn below_base(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding
     let Extremes { min, min_at, .. } = summary.s;
     (min < -BELOW_TOLERANCE * summary.s.max.abs().max(f64::MIN_POSITIVE)).then(|| {
         let stretches = intervals(cam, samples, Quantity::S, min_at, |s| -s);
-        finding(FindingKind::BelowBase, min_at, min, 0.0, around(&stretches, min_at))
+        finding(FindingKind::BelowBase, min_at, min, 0.0, around(cam, &stretches, min_at))
     })
 }
 
 /// Cusps and undercut stretches, each stretch with its own worst place.
 fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
     let Some((least, theta)) = summary.least_convex else { return Vec::new() };
-    let edge = CUSP_TOLERANCE * cam.follower.base_radius;
+    let edge = CUSP_TOLERANCE * cam.size();
     if least > edge {
         return Vec::new();
     }
@@ -259,17 +293,34 @@ fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
     let stretches = intervals(cam, samples, Quantity::Bend, theta, |bend| -follower.regularity(bend));
     let bends = samples.grid(Quantity::Bend);
     let each = stretches.iter().map(|&(from, to)| {
-        let inside = (0..bends.len()).filter(|&i| within((from, to), samples.theta[i]));
+        let inside = (0..bends.len()).filter(|&i| within(cam, (from, to), samples.theta[i]));
         let worst = inside.min_by(|&a, &b| follower.regularity(bends[a]).total_cmp(&follower.regularity(bends[b])));
         let (value, at) = match worst {
-            _ if within((from, to), theta) => (least, theta),
+            _ if within(cam, (from, to), theta) => (least, theta),
             Some(i) => (follower.profile_radius(bends[i]), samples.theta[i]),
             // So short that no station falls in it: anywhere in it is as good.
-            None => (follower.profile_radius(cam.at(0.5 * (from + to)).1.bend), (0.5 * (from + to)) % TAU),
+            None => {
+                let middle = (0.5 * (from + to)) % cam.program.span();
+                (follower.profile_radius(cam.at(middle).1.bend), middle)
+            }
         };
         finding(kind, at, value, 0.0, Some((from, to)))
     });
     each.collect()
+}
+
+/// Stretches of a groove whose outer wall, the pitch curve offset outwards, is cut away in a hollow: 1 + Rf·κp < 0.
+fn groove_cuts(cam: &Cam, samples: &Samples) -> Option<Finding> {
+    if cam.closure != Closure::Groove {
+        return None;
+    }
+    let radius = cam.follower.disc_radius();
+    let Extremes { min, min_at, .. } = extremes(cam, samples, Quantity::Bend);
+    (1.0 + radius * min < -CUSP_TOLERANCE).then(|| {
+        let stretches = intervals(cam, samples, Quantity::Bend, min_at, |bend| -1.0 - radius * bend);
+        let place = around(cam, &stretches, min_at);
+        finding(FindingKind::GrooveUndercut, min_at, -1.0 / min, radius, place)
+    })
 }
 
 /// A pivot or a swinging face where it cannot be.
@@ -286,7 +337,7 @@ fn misplaced(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
             findings.push(finding(FindingKind::FaceOvertaken, lead.min_at, 1.0 - lead.min, 1.0, None));
         } else if reach.min <= 0.0 {
             let stretches = intervals(cam, samples, Quantity::Reach, reach.min_at, |reach| -reach);
-            let interval = around(&stretches, reach.min_at);
+            let interval = around(cam, &stretches, reach.min_at);
             findings.push(finding(FindingKind::ContactPastPivot, reach.min_at, reach.min, 0.0, interval));
         }
     }
@@ -294,49 +345,76 @@ fn misplaced(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
 }
 
 pub(crate) fn finding(kind: FindingKind, theta: f64, value: f64, limit: f64, interval: Option<(f64, f64)>) -> Finding {
-    Finding { kind, theta, interval, places: vec![theta], value, limit }
+    // Only jumps are ever less than unacceptable.
+    Finding { kind, level: Level::Unacceptable, theta, interval, places: vec![theta], value, limit }
 }
 
-fn within((from, to): (f64, f64), theta: f64) -> bool {
-    from <= theta && theta <= to || from <= theta + TAU && theta + TAU <= to
+fn within(cam: &Cam, (from, to): (f64, f64), theta: f64) -> bool {
+    let again = theta + TAU;
+    from <= theta && theta <= to || cam.program.is_cyclic() && from <= again && again <= to
 }
 
-fn around(stretches: &[(f64, f64)], theta: f64) -> Option<(f64, f64)> {
-    stretches.iter().copied().find(|&stretch| within(stretch, theta))
+fn around(cam: &Cam, stretches: &[(f64, f64)], theta: f64) -> Option<(f64, f64)> {
+    stretches.iter().copied().find(|&stretch| within(cam, stretch, theta))
 }
 
-/// The columns asked for: the grid's own arrays, thinned when the grid is finer, closed by repeating the first row.
+/// The columns asked for: the grid's own arrays, thinned when the grid is finer, closed by the row at the end of the cycle: the
+/// first again when it comes round, the last limit from within when it does not.
 fn tabulate(cam: &Cam, mut samples: Samples, steps: usize) -> Vec<Vec<f64>> {
     let every = samples.theta.len() / steps;
-    let finish = |mut values: Vec<f64>| {
+    let span = cam.program.span();
+    let end = (!cam.program.is_cyclic()).then(|| cam.at(span).1);
+    let finish = |(mut values, last): (Vec<f64>, Option<f64>)| {
         if every > 1 {
             values = values.into_iter().step_by(every).collect();
         }
-        values.extend(values.first().copied());
+        if let Some(&first) = values.first() {
+            values.push(last.filter(|_| end.is_some()).unwrap_or(first));
+        }
         values
     };
     let follower = &cam.follower;
-    let bend = samples.take(Quantity::Bend);
-    let part = |points: &[Point], part: fn(&Point) -> f64| points.iter().map(part).collect::<Vec<f64>>();
-    let of = |column: Column| match column {
-        Column::Theta => std::mem::take(&mut samples.theta),
-        Column::S => samples.take(Quantity::S),
-        Column::V => samples.take(Quantity::V),
-        Column::A => samples.take(Quantity::A),
-        Column::J => samples.take(Quantity::J),
-        Column::PressureAngle => samples.take(Quantity::PressureAngle),
-        Column::Rho => bend.iter().map(|&bend| follower.profile_radius(bend)).collect(),
-        Column::RhoPitch if follower.is_flat() => Vec::new(),
-        Column::RhoPitch => bend.iter().map(|bend| 1.0 / bend).collect(),
-        Column::X => part(&samples.profile, |point| point.re),
-        Column::Y => part(&samples.profile, |point| point.im),
-        Column::PitchX => part(&samples.pitch, |point| point.re),
-        Column::PitchY => part(&samples.pitch, |point| point.im),
-        Column::Contact => samples.take(Quantity::Reach),
+    let bends = (samples.take(Quantity::Bend), samples.last(Quantity::Bend));
+    let of_bend = |radius: &dyn Fn(f64) -> f64| {
+        (bends.0.iter().map(|&bend| radius(bend)).collect::<Vec<f64>>(), bends.1.map(radius))
     };
-    let mut columns: Vec<Vec<f64>> = Column::ALL.map(of).map(finish).into();
+    let part = |points: &[Point], of: fn(&Contact) -> Point, part: fn(&Point) -> f64| {
+        let last = end.as_ref().map(|contact| part(&cam.in_cam_frame(of(contact), span)));
+        (points.iter().map(part).collect::<Vec<f64>>(), last)
+    };
+    // The outer wall lies as far from the trace point as the inner one, on the other side.
+    let outer = |part: fn(&Point) -> f64| {
+        let mirrored = |inner: &Point, trace: &Point| part(&(trace * 2.0 - inner));
+        let walls = samples.profile.iter().zip(&samples.pitch).map(|(inner, trace)| mirrored(inner, trace)).collect();
+        (walls, end.as_ref().map(|contact| part(&cam.in_cam_frame(contact.trace * 2.0 - contact.point, span))))
+    };
+    let walls = if cam.closure == Closure::Groove { [outer(|p| p.re), outer(|p| p.im)] } else { Default::default() };
+    let [outer_x, outer_y] = walls;
+    let mut walls = [Some(outer_x), Some(outer_y)];
+    let mut of = |column: Column| {
+        let mut own = |quantity: Quantity| (samples.take(quantity), samples.last(quantity));
+        match column {
+            Column::Theta => (std::mem::take(&mut samples.theta), Some(span)),
+            Column::S => own(Quantity::S),
+            Column::V => own(Quantity::V),
+            Column::A => own(Quantity::A),
+            Column::J => own(Quantity::J),
+            Column::PressureAngle => own(Quantity::PressureAngle),
+            Column::Rho => of_bend(&|bend| follower.profile_radius(bend)),
+            Column::RhoPitch if follower.is_flat() => Default::default(),
+            Column::RhoPitch => of_bend(&|bend| 1.0 / bend),
+            Column::X => part(&samples.profile, |contact| contact.point, |point| point.re),
+            Column::Y => part(&samples.profile, |contact| contact.point, |point| point.im),
+            Column::PitchX => part(&samples.pitch, |contact| contact.trace, |point| point.re),
+            Column::PitchY => part(&samples.pitch, |contact| contact.trace, |point| point.im),
+            Column::Contact => own(Quantity::Reach),
+            Column::OuterX => walls[0].take().unwrap_or_default(),
+            Column::OuterY => walls[1].take().unwrap_or_default(),
+        }
+    };
+    let mut columns: Vec<Vec<f64>> = Column::ALL.into_iter().map(|column| finish(of(column))).collect();
     if let Some(last) = columns[Column::Theta as usize].last_mut() {
-        *last = TAU;
+        *last = span;
     }
     columns
 }

@@ -1,42 +1,100 @@
-//! A cam: a motion program, the follower that it moves, and the speed at which it turns.
+//! A cam: a motion program, the follower that it moves, and what kind of cam it is.
 
-use crate::{CamError, Contact, Follower, Program, Svaj};
-use nalgebra::Complex;
+use crate::{CamError, Contact, Drive, Follower, Point, Program, Svaj};
+use std::f64::consts::PI;
 
 /// A cam that can be analysed. What it holds has been checked; everything computed from it is total.
 #[derive(Clone, Debug)]
 pub struct Cam {
-    /// The motion of the follower over one turn.
+    /// The motion of the follower over one cycle.
     pub program: Program,
     /// The follower on its base circle.
     pub follower: Follower,
+    /// How cam and follower are kept together.
+    pub closure: Closure,
+}
+
+/// How cam and follower are kept together, which decides what is judged besides the profile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Closure {
+    /// By a force, or by a second cam on the same shaft: one profile, touched in one place.
+    #[default]
+    Force,
+    /// By a groove, whose walls are both offsets of the pitch curve.
+    Groove,
+    /// By a yoke that holds the cam between two parallel faces, or two rollers: constant breadth, or diameter.
+    Yoke,
 }
 
 impl Cam {
-    /// Joins a program and a follower.
+    /// Joins a program and a follower that a force keeps on the cam.
     #[must_use]
     pub fn new(program: Program, follower: Follower) -> Self {
-        Self { program, follower }
+        Self { program, follower, closure: Closure::Force }
     }
 
-    /// Motion and contact at θ (radians, any turn).
+    /// The same cam, closed in another way.
+    #[must_use]
+    pub fn closed_by(self, closure: Closure) -> Self {
+        Self { closure, ..self }
+    }
+
+    /// Motion and contact at θ (any turn).
     #[must_use]
     pub fn at(&self, theta: f64) -> (Svaj, Contact) {
         let motion = self.program.at(theta);
         (motion, self.follower.contact(motion))
     }
 
+    /// The same cam with another program.
+    #[must_use]
+    pub fn with_program(&self, program: Program) -> Self {
+        Self { program, ..self.clone() }
+    }
+
+    /// The same cam with another follower.
+    #[must_use]
+    pub fn with_follower(&self, follower: Follower) -> Self {
+        Self { follower, ..self.clone() }
+    }
+
     /// The same cam on another base circle.
     ///
     /// # Errors
-    /// When the follower cannot rest on that base circle.
+    /// When the follower cannot rest on that base circle, or the cam has none.
     pub fn with_base_radius(&self, base_radius: f64) -> Result<Self, CamError> {
-        Ok(Self { follower: self.follower.with_base_radius(base_radius)?, program: self.program.clone() })
+        Ok(self.with_follower(self.follower.with_base_radius(base_radius)?))
     }
 
-    /// A point of the fixed frame, at cam angle θ, in the cam's frame: p·e^(−iσθ).
+    /// A point of the fixed frame, at cam angle θ, in the cam's frame: p·e^(−iσθ), or p + θ for a cam that travels.
     #[must_use]
-    pub fn in_cam_frame(&self, point: Complex<f64>, theta: f64) -> Complex<f64> {
-        point * Complex::from_polar(1.0, -self.follower.rotation.sigma() * theta)
+    pub fn in_cam_frame(&self, point: Point, theta: f64) -> Point {
+        match self.follower.drive {
+            Drive::Turns => point * Point::from_polar(1.0, -self.follower.rotation.sigma() * theta),
+            Drive::Travels => point + theta,
+        }
+    }
+
+    /// Where the far side of the yoke touches, in the fixed frame, when the cam is held by one.
+    #[must_use]
+    pub fn far_contact(&self, theta: f64) -> Option<Point> {
+        (self.closure == Closure::Yoke).then(|| -self.at(theta + PI).1.point)
+    }
+
+    /// The distance between the parallel faces of the yoke, or between the near sides of its rollers: 2Rb + s(θ) + s(θ + π),
+    /// which its program keeps constant.
+    #[must_use]
+    pub fn breadth(&self) -> Option<f64> {
+        let facing = self.program.at(0.0).s + self.program.at(PI).s;
+        (self.closure == Closure::Yoke).then_some(2.0 * self.follower.base_radius + facing)
+    }
+
+    /// A length to compare other lengths with: the base radius, or what a cam that travels is long.
+    #[must_use]
+    pub(crate) fn size(&self) -> f64 {
+        match self.follower.drive {
+            Drive::Turns => self.follower.base_radius,
+            Drive::Travels => self.program.span(),
+        }
     }
 }

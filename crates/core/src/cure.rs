@@ -2,7 +2,8 @@
 
 use crate::samples::LEAST_STEPS;
 use crate::{
-    Analysis, Cam, Finding, FindingKind, LAWS, Law, Program, Segment, balanced_eccentricity, smallest_base_radius,
+    Analysis, Cam, Closure, Finding, FindingKind, LAWS, Law, Level, Program, Segment, balanced_eccentricity,
+    shortest_travel, smallest_base_radius,
 };
 
 /// A change that removes a finding.
@@ -10,6 +11,8 @@ use crate::{
 pub enum Cure {
     /// The smallest base radius with which the geometry passes.
     BaseRadius(f64),
+    /// The shortest travel with which the geometry passes, all β's in proportion.
+    Travel(f64),
     /// The eccentricity that makes |φ| equal in rise and return; |φ| (radians) is then `pressure_angle`.
     Eccentricity {
         /// e.
@@ -40,34 +43,46 @@ const WORTHWHILE: f64 = 0.5 * std::f64::consts::PI / 180.0;
 pub fn prescribe(cam: &Cam, analysis: &Analysis) -> Vec<Vec<Cure>> {
     let geometric = |finding: &Finding| !finding.kind.is_of_the_motion();
     let sound = !analysis.findings.iter().any(geometric);
-    let size = if sound { None } else { smallest_base_radius(cam) };
+    let size = if sound {
+        None
+    } else {
+        smallest_base_radius(cam).map(Cure::BaseRadius).or_else(|| shortest_travel(cam).map(Cure::Travel))
+    };
     let low = analysis.findings.iter().any(|finding| finding.kind == FindingKind::BelowBase);
     let of = |finding: &Finding| match finding.kind {
+        // What is tolerated needs no cure; a second cam moves as the first makes it.
+        FindingKind::Jump(_) | FindingKind::BelowBase
+            if finding.level == Level::Acceptable || cam.follower.reversed.is_some() =>
+        {
+            Vec::new()
+        }
         FindingKind::Jump(order) => {
             law_cures(cam, spared(sound, low), |trial| trial.lowest_jump.is_none_or(|jump| jump > order))
         }
         FindingKind::Doubtful => Vec::new(),
         FindingKind::BelowBase => law_cures(cam, spared(sound, false), |trial| !trial.below_base),
-        FindingKind::PressureAngle => {
-            size.map(Cure::BaseRadius).into_iter().chain(eccentricity(cam, finding)).collect()
-        }
+        FindingKind::PressureAngle => size.clone().into_iter().chain(eccentricity(cam, finding)).collect(),
         FindingKind::Cusp
         | FindingKind::Undercut
+        | FindingKind::GrooveUndercut
         | FindingKind::ConcaveFlat
         | FindingKind::SelfCrossing
         | FindingKind::ArmCutsCam
         | FindingKind::PivotInsideCam
         | FindingKind::FaceOvertaken
-        | FindingKind::ContactPastPivot => size.map(Cure::BaseRadius).into_iter().collect(),
+        | FindingKind::ContactPastPivot => size.clone().into_iter().collect(),
     };
     analysis.findings.iter().map(of).collect()
 }
 
 /// The balancing eccentricity, when it is worth having: the follower's axis moves, but the cam does not grow.
 fn eccentricity(cam: &Cam, finding: &Finding) -> Option<Cure> {
+    if cam.closure == Closure::Yoke || cam.follower.reversed.is_some() {
+        return None;
+    }
     let value = balanced_eccentricity(cam)?;
     let index = cam.follower.kind.index_of("eccentricity")?;
-    let moved = Cam::new(cam.program.clone(), cam.follower.with_value(index, value).ok()?);
+    let moved = cam.with_follower(cam.follower.with_value(index, value).ok()?);
     let analysis = Analysis::of(&moved, 720);
     let pressure_angle = analysis.summary.pressure_angle.greatest_size().0;
     let motion_or_angle = |f: &Finding| f.kind.is_of_the_motion() || f.kind == FindingKind::PressureAngle;
@@ -115,7 +130,7 @@ fn law_cures(cam: &Cam, harmless: impl Fn(&Cam) -> bool, cured: impl Fn(&Trial) 
         let trial = trials.remove(best);
         let alike =
             |other: &Trial| other.changes.len() == trial.changes.len() && other.lowest_jump == trial.lowest_jump;
-        let fits = || harmless(&Cam::new(trial.program.clone(), cam.follower));
+        let fits = || harmless(&cam.with_program(trial.program.clone()));
         if !kept.iter().any(alike) && fits() {
             kept.push(trial);
         }
@@ -131,29 +146,31 @@ fn rank(trial: &Trial) -> (u8, i64) {
 
 /// Moving segments that touch a jump, contain one, or go below the base circle.
 fn blamed_segments(program: &Program) -> Vec<usize> {
-    let n = program.segments().len();
+    let n = program.given().len();
     let mut blamed = vec![false; n];
     for joint in program.classified_joints().iter().filter(|joint| joint.jump.is_some()) {
-        blamed[joint.segment] = true;
-        if program.borders()[..n].contains(&joint.theta) {
+        blamed[joint.segment % n] = true;
+        if (program.is_cyclic() || joint.segment > 0)
+            && program.borders()[..program.segments().len()].contains(&joint.theta)
+        {
             blamed[(joint.segment + n - 1) % n] = true;
         }
     }
     for stretch in program.stretches() {
-        blamed[stretch.segment] |= goes_below(std::iter::once(stretch.at(0.5 * (stretch.from + stretch.to))));
+        blamed[stretch.segment % n] |= goes_below(std::iter::once(stretch.at(0.5 * (stretch.from + stretch.to))));
     }
-    (0..n).filter(|&k| blamed[k] && !program.segments()[k].law.is_dwell()).collect()
+    (0..n).filter(|&k| blamed[k] && !program.given()[k].law.is_dwell()).collect()
 }
 
 fn attempt(program: &Program, changes: Vec<(usize, &'static Law)>) -> Option<Trial> {
-    let mut changed = program.segments().to_vec();
+    let mut changed = program.given().to_vec();
     if changes.iter().all(|&(k, law)| changed[k].law == law) {
         return None;
     }
     for &(k, law) in &changes {
         changed[k] = Segment::new(law, changed[k].beta, changed[k].rise);
     }
-    let program = Program::new(&changed).ok()?;
+    let program = Program::on(program.cycle(), &changed).ok()?;
     Some(Trial {
         lowest_jump: program.classified_joints().iter().filter_map(|joint| joint.jump).min(),
         below_base: goes_below(program.look()),

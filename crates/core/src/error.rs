@@ -62,9 +62,9 @@ pub enum ProgramProblem {
         /// Index of the other one.
         next: usize,
     },
-    /// The β's do not add up to a turn.
+    /// The β's do not add up to the cycle: a turn, half of one, or the length of a travel.
     Turn {
-        /// Their sum, radians.
+        /// Their sum, radians or length.
         found: f64,
     },
     /// The last segment does not come back to the height of the first.
@@ -98,6 +98,8 @@ pub enum GeometryProblem {
         /// The value given.
         found: f64,
     },
+    /// It has no meaning for this kind of cam: a base circle of a cam that travels, a flat face on one.
+    Unsuited,
     /// Outside an open interval.
     Outside {
         /// The value given.

@@ -4,7 +4,7 @@ use crate::Cam;
 use crate::samples::{Quantity, Samples};
 use std::f64::consts::TAU;
 
-/// Where a quantity is least and greatest over the turn; θ in radians.
+/// Where a quantity is least and greatest over the cycle; θ in radians, or length for a cam that travels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes {
     /// Least value.
@@ -25,7 +25,7 @@ impl Extremes {
     }
 }
 
-/// θ is refined to this (radians): the value of an extreme is then exact to its square.
+/// θ is refined to this (radians, or the same part of a travel): the value of an extreme is then exact to its square.
 const THETA_TOLERANCE: f64 = 1e-8;
 
 /// Samples lower than the best by more than this part of the range cannot hide the true extreme between them.
@@ -139,12 +139,14 @@ fn greatest(
         let Some(next) = (0..bumps.len()).min_by(|&a, &b| bumps[b].promise.total_cmp(&bumps[a].promise)) else { break };
         let bump = bumps.remove(next);
         let piece = &cam.program.stretches()[bump.stretch];
-        let (at, value) = summit(bump.points, |theta| sign * quantity.at(cam, piece, theta));
+        let tolerance = THETA_TOLERANCE * (cam.program.span() / TAU);
+        let (at, value) = summit(bump.points, tolerance, |theta| sign * quantity.at(cam, piece, theta));
         if value > best.0 + ROUNDING * range {
             best = (value, at);
         }
     }
-    (best.0, if best.1 >= TAU { best.1 - TAU } else { best.1 })
+    let past_the_end = cam.program.is_cyclic() && best.1 >= TAU;
+    (best.0, if past_the_end { best.1 - TAU } else { best.1 })
 }
 
 /// Height of the parabola through three samples, for ranking bumps; at a one-sided end, the sample itself.
@@ -158,7 +160,11 @@ fn vertex(before: f64, here: f64, after: f64) -> f64 {
 }
 
 /// Greatest value of `f` between the outer two of three points, by Brent's method started from the inner one.
-fn summit([(low, _), (start, at_start), (high, _)]: [(f64, f64); 3], f: impl Fn(f64) -> f64) -> (f64, f64) {
+fn summit(
+    [(low, _), (start, at_start), (high, _)]: [(f64, f64); 3],
+    tolerance: f64,
+    f: impl Fn(f64) -> f64,
+) -> (f64, f64) {
     const GOLDEN: f64 = 0.381_966_011_250_105;
     let (mut a, mut b) = (low, high);
     let (mut x, mut w, mut v) = (start, start, start);
@@ -166,11 +172,11 @@ fn summit([(low, _), (start, at_start), (high, _)]: [(f64, f64); 3], f: impl Fn(
     let (mut step, mut last): (f64, f64) = (0.0, 0.0);
     for _ in 0..60 {
         let middle = 0.5 * (a + b);
-        if (x - middle).abs() <= 2.0 * THETA_TOLERANCE - 0.5 * (b - a) {
+        if (x - middle).abs() <= 2.0 * tolerance - 0.5 * (b - a) {
             break;
         }
         let mut golden = true;
-        if last.abs() > THETA_TOLERANCE {
+        if last.abs() > tolerance {
             let r = (x - w) * (fx - fv);
             let mut q = (x - v) * (fx - fw);
             let mut p = (x - v) * q - (x - w) * r;
@@ -187,7 +193,7 @@ fn summit([(low, _), (start, at_start), (high, _)]: [(f64, f64); 3], f: impl Fn(
             last = if x < middle { b - x } else { a - x };
             step = GOLDEN * last;
         }
-        let u = x + if step.abs() >= THETA_TOLERANCE { step } else { THETA_TOLERANCE.copysign(step) };
+        let u = x + if step.abs() >= tolerance { step } else { tolerance.copysign(step) };
         let u = u.clamp(low, high);
         let fu = f(u);
         if fu >= fx {
@@ -249,8 +255,8 @@ pub(crate) fn intervals(
     }
     if let Some(from) = open {
         match found.first_mut() {
-            Some(first) if first.0 <= 0.0 => *first = (from, first.1 + TAU),
-            _ => found.push((from, TAU)),
+            Some(first) if first.0 <= 0.0 && cam.program.is_cyclic() => *first = (from, first.1 + TAU),
+            _ => found.push((from, cam.program.span())),
         }
     }
     found

@@ -1,5 +1,7 @@
 //! What a cam can be blamed for, and how badly.
 
+use crate::Closure;
+
 /// The verdict on a cam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
@@ -22,6 +24,8 @@ pub enum FindingKind {
     Cusp,
     /// The roller cuts away profile that it needs: 0 < ρp < Rf.
     Undercut,
+    /// The same on the outer wall of a groove, where the pitch curve is hollow: −Rf < ρp < 0.
+    GrooveUndercut,
     /// A flat face cannot follow a hollow: ρ < 0.
     ConcaveFlat,
     /// The data of a free law hardly determine its curve.
@@ -45,6 +49,8 @@ pub enum FindingKind {
 pub struct Finding {
     /// What is wrong.
     pub kind: FindingKind,
+    /// How bad it is in this cam.
+    pub level: Level,
     /// Where it is worst.
     pub theta: f64,
     /// Where it begins and ends, when it is a stretch; the end is beyond 2π when it passes through 0.
@@ -69,6 +75,7 @@ impl FindingKind {
             Self::PressureAngle => "pressure-angle",
             Self::Cusp => "cusp",
             Self::Undercut => "undercut",
+            Self::GrooveUndercut => "groove-undercut",
             Self::ConcaveFlat => "concave-flat",
             Self::Doubtful => "doubtful-curve",
             Self::BelowBase => "below-base-circle",
@@ -86,9 +93,14 @@ impl FindingKind {
         matches!(self, Self::Jump(_) | Self::BelowBase | Self::Doubtful)
     }
 
-    /// How bad it is: a jump of *j* only forbids high speed, all else is red.
+    /// How bad it is in a cam closed in that way: a jump of *j* only forbids high speed, all else is red. A yoke tolerates jumps
+    /// of *a* and *j*: the two halves of its program mirror each other, so few programs are without, and it never loses contact.
     #[must_use]
-    pub fn severity(self) -> Level {
-        if self == Self::Jump(3) { Level::LowSpeed } else { Level::Unacceptable }
+    pub fn severity(self, closure: Closure) -> Level {
+        match self {
+            Self::Jump(2 | 3) if closure == Closure::Yoke => Level::Acceptable,
+            Self::Jump(3) => Level::LowSpeed,
+            _ => Level::Unacceptable,
+        }
     }
 }

@@ -64,12 +64,12 @@ pub(crate) fn arm_cut(cam: &Cam, samples: &Samples) -> Option<Finding> {
     let profile: Vec<Point> = samples.profile.iter().copied().step_by(stride).collect();
     let reach = profile.iter().map(Point::norm_sqr).fold(0.0, f64::max).sqrt();
     let sense = cam.follower.rotation.sigma();
-    let mut worst = (SHALLOWEST_CUT * cam.follower.base_radius, 0.0);
+    let mut worst = (SHALLOWEST_CUT * cam.size(), 0.0);
     for (k, i) in (0..samples.pitch.len()).step_by(stride).enumerate() {
         // The arm in the cam's frame, where the profile stands still.
         let (from, turned) = (samples.pitch[i], samples.turns[i]);
         let along = match cam.follower.body {
-            Body::Slide => Point::new(0.0, reach + from.norm()) * turned,
+            Body::Slide => Point::new(0.0, (reach + from.norm()) * cam.follower.advance()) * turned,
             Body::Swing { pivot } => pivot * turned - from,
         };
         let Some(tip) = leaves_circle(from, along, reach) else { continue };
@@ -94,8 +94,7 @@ pub(crate) fn arm_cut(cam: &Cam, samples: &Samples) -> Option<Finding> {
         }
     }
     let (depth, theta) = worst;
-    (depth > SHALLOWEST_CUT * cam.follower.base_radius)
-        .then(|| finding(FindingKind::ArmCutsCam, theta, depth, 0.0, None))
+    (depth > SHALLOWEST_CUT * cam.size()).then(|| finding(FindingKind::ArmCutsCam, theta, depth, 0.0, None))
 }
 
 /// Where the arm from `start` along `along` last leaves the circle of radius `reach`; its end when that lies inside.

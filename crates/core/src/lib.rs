@@ -27,7 +27,9 @@
 //! Not here: files, links, words, drawings. Elastic followers, clearances and the thickness of arms are left out.
 
 mod analysis;
+mod breadth;
 mod cam;
+mod conjugate;
 mod cure;
 mod curve;
 mod error;
@@ -45,20 +47,24 @@ mod sizing;
 mod svaj;
 
 pub use analysis::{Analysis, Column, Summary};
-pub use cam::Cam;
+pub use breadth::{Generator, MAX_SIDES, sharpest_base_radius};
+pub use cam::{Cam, Closure};
+pub use conjugate::{Tie, conjugate, working_ties};
 pub use cure::{Cure, prescribe};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use error::{CamError, GeometryError, GeometryProblem, ProgramError, ProgramProblem};
 pub use extreme::Extremes;
 pub use finding::{Finding, FindingKind, Level};
 pub use follower::{
-    Body, Contact, ContactKind, Element, FOLLOWERS, Follower, FollowerKind, FollowerValues, MAX_FOLLOWER_PARAMETERS,
-    Motion, Point, Rotation,
+    Body, Contact, ContactKind, Drive, Element, FOLLOWERS, Follower, FollowerKind, FollowerValues,
+    MAX_FOLLOWER_PARAMETERS, Motion, Point, Rotation,
 };
 pub use form::Form;
 pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
-pub use program::{CLOSING_TOLERANCE, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE};
+pub use program::{
+    CLOSING_TOLERANCE, Cycle, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE,
+};
 pub use series::Series;
-pub use sizing::{balanced_eccentricity, smallest_base_radius};
+pub use sizing::{balanced_eccentricity, resized, shortest_travel, smallest_base_radius};
 pub use svaj::Svaj;

@@ -1,15 +1,15 @@
-//! The motion program: segments that cover one turn, joined into a cyclic list of smooth pieces.
+//! The motion program: segments that cover one cycle of the cam, joined into a list of smooth pieces.
 
 use crate::law::{Arguments, Data, Given, Law, MAX_LAW_PARAMETERS, Piece, Shape, Solved, matched_polynomial};
 use crate::{Form, ProgramError, ProgramProblem, Svaj};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// One stretch of the program.
 #[derive(Clone, Debug)]
 pub struct Segment {
     /// How the follower moves.
     pub law: &'static Law,
-    /// Cam angle spanned, radians.
+    /// Cam angle spanned, radians; length of travel spanned, for a translating cam.
     pub beta: f64,
     /// Height gained, negative in a return; length, or radians for an oscillating follower. That of a free law follows from its
     /// data: in a program it is what they make it.
@@ -34,22 +34,55 @@ impl Segment {
     }
 }
 
+/// How segments make a whole cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cycle {
+    /// They cover one turn, and the last joins the first.
+    Turn,
+    /// They cover half a turn, and the other half is theirs upside down: s(θ + π) = L − s(θ), with L the whole rise. Cams of
+    /// constant breadth move so.
+    Mirrored,
+    /// They cover a travel of this length, forth and then back, so that each end joins itself.
+    Travel(f64),
+}
+
+impl Cycle {
+    /// What the segments must add up to: radians, or length.
+    fn given(self) -> f64 {
+        match self {
+            Self::Turn => TAU,
+            Self::Mirrored => PI,
+            Self::Travel(length) => length,
+        }
+    }
+
+    /// What the program covers: radians, or length.
+    fn span(self) -> f64 {
+        match self {
+            Self::Turn | Self::Mirrored => TAU,
+            Self::Travel(length) => length,
+        }
+    }
+}
+
 /// Most segments that a program may have: the cap that links and forms share.
 pub const MAX_SEGMENTS: usize = 64;
 
-/// How far β's may miss a whole turn, in radians: 10⁻⁹ degrees, what typed decimals add up to at worst.
+/// How far β's may miss a whole turn, in radians: 10⁻⁹ degrees, what typed decimals add up to at worst. For a travel, the same
+/// part of its length.
 pub const TURN_TOLERANCE: f64 = 1e-9 * TAU / 360.0;
 
 /// How far the end may miss the start, in units of the design.
 pub const CLOSING_TOLERANCE: f64 = 1e-9;
 
-/// The narrowest segment, radians (a thousandth of a degree): less is below what any cam grinder divides.
+/// The narrowest segment, radians (a thousandth of a degree): less is below what any cam grinder divides. For a travel, the same
+/// part of its length.
 pub const MIN_BETA: f64 = 1e-3 * TAU / 360.0;
 
 /// A jump smaller than this part of the greatest value of its derivative is rounding, not a jump.
 const JUMP_TOLERANCE: f64 = 1e-9;
 
-/// A station this close to a joint (radians) lies on it, and takes the limit from the right.
+/// A station this close to a joint (radians, or the same part of a travel) lies on it, and takes the limit from the right.
 const SNAP: f64 = 1e-11;
 
 /// A system worse conditioned than this leaves fewer than six of an `f64`'s sixteen digits: its curve is not to be trusted.
@@ -84,6 +117,19 @@ impl Stretch {
     #[must_use]
     pub fn is_still(&self) -> bool {
         self.curve.is_constant()
+    }
+
+    /// The same stretch half a turn later and upside down, from `top`; its segment comes `count` later.
+    fn image(&self, count: usize, top: f64) -> Self {
+        Self {
+            from: self.from + PI,
+            to: self.to + PI,
+            segment: self.segment + count,
+            origin: self.origin + PI,
+            beta: self.beta,
+            per_beta: self.per_beta,
+            curve: self.curve.clone().scaled(-1.0, top),
+        }
     }
 
     /// The formula in x = (θ − origin)/β, with its origin and β.
@@ -122,6 +168,7 @@ pub struct Doubt {
 /// A checked cyclic motion program.
 #[derive(Clone, Debug)]
 pub struct Program {
+    cycle: Cycle,
     segments: Vec<Segment>,
     borders: Vec<f64>,
     heights: Vec<f64>,
@@ -130,41 +177,100 @@ pub struct Program {
 }
 
 impl Program {
-    /// Joins segments into a program.
+    /// Joins segments that cover one turn into a program.
     ///
     /// # Errors
     /// Names the segment and says what is wrong: a β or L that cannot be, a dwell that rises, parameters of a law out of
     /// range, a turn that is not whole, an end that misses the start, a joint below the base circle, or two generic
     /// polynomials side by side (cyclically), which would have no end conditions to take.
     pub fn new(segments: &[Segment]) -> Result<Self, ProgramError> {
-        check_each(segments)?;
+        Self::on(Cycle::Turn, segments)
+    }
+
+    /// Joins segments into a program on any cycle.
+    ///
+    /// # Errors
+    /// As [`Program::new`]; half a turn that is mirrored, and a travel, may end at another height than they start.
+    pub fn on(cycle: Cycle, segments: &[Segment]) -> Result<Self, ProgramError> {
+        check_each(cycle, segments)?;
         let borders = running_sum(segments);
         let (heights, solved) = climb(segments)?;
-        check_cycle(segments, &borders, &heights)?;
+        check_cycle(cycle, segments, &borders, &heights)?;
         let doubt = |(segment, solved): (usize, &Option<Solved>)| {
             let condition = solved.as_ref()?.condition;
             (condition > LEAST_TRUSTED).then_some(Doubt { segment, condition, limit: LEAST_TRUSTED })
         };
         let doubts = solved.iter().enumerate().filter_map(doubt).collect();
-        let mut program = Self { segments: segments.to_vec(), borders, heights, stretches: Vec::new(), doubts };
+        let mut program = Self { cycle, segments: segments.to_vec(), borders, heights, stretches: Vec::new(), doubts };
         for (k, segment) in program.segments.iter_mut().enumerate().filter(|(_, segment)| segment.law.free().is_some())
         {
             segment.rise = program.heights[k + 1] - program.heights[k];
         }
         let last = program.segments.len();
-        program.borders[last] = TAU;
-        program.heights[last] = 0.0;
+        program.borders[last] = cycle.given();
+        if cycle == Cycle::Turn {
+            program.heights[last] = 0.0;
+        }
         program.stretches = program.join(solved)?;
+        if cycle == Cycle::Mirrored {
+            program.mirror();
+        }
         Ok(program)
     }
 
-    /// The segments it was made from.
+    /// The motion of a second element fixed to the same follower, on the other side of the shaft: `top` − s(θ).
+    #[must_use]
+    pub fn reversed(&self, top: f64) -> Self {
+        let mut program = self.clone();
+        for segment in &mut program.segments {
+            segment.rise = -segment.rise;
+        }
+        for height in &mut program.heights {
+            *height = top - *height;
+        }
+        for stretch in &mut program.stretches {
+            stretch.curve = stretch.curve.clone().scaled(-1.0, top);
+        }
+        program
+    }
+
+    /// How its segments make a whole cycle.
+    #[must_use]
+    pub fn cycle(&self) -> Cycle {
+        self.cycle
+    }
+
+    /// What it covers: 2π, or the length of a travel.
+    #[must_use]
+    pub fn span(&self) -> f64 {
+        self.cycle.span()
+    }
+
+    /// True when its end is its beginning, as for a cam that turns.
+    #[must_use]
+    pub fn is_cyclic(&self) -> bool {
+        !matches!(self.cycle, Cycle::Travel(_))
+    }
+
+    /// A difference in θ too small to tell places apart.
+    fn snap(&self) -> f64 {
+        SNAP * (self.span() / TAU)
+    }
+
+    /// The segments over the whole cycle: those it was made from and, when they are mirrored, their images.
     #[must_use]
     pub fn segments(&self) -> &[Segment] {
         &self.segments
     }
 
-    /// θ of the borders of the segments, from 0 to 2π: one more than there are segments.
+    /// The segments it was made from: half of them when the other half is their image.
+    #[must_use]
+    pub fn given(&self) -> &[Segment] {
+        let images = if self.cycle == Cycle::Mirrored { self.segments.len() / 2 } else { 0 };
+        &self.segments[..self.segments.len() - images]
+    }
+
+    /// θ of the borders of the segments, from 0 to the [`span`](Self::span): one more than there are segments.
     #[must_use]
     pub fn borders(&self) -> &[f64] {
         &self.borders
@@ -182,34 +288,47 @@ impl Program {
         &self.doubts
     }
 
-    /// The smooth stretches, in order, from 0 to 2π.
+    /// The smooth stretches, in order, from 0 to the [`span`](Self::span).
     #[must_use]
     pub fn stretches(&self) -> &[Stretch] {
         &self.stretches
     }
 
-    /// Displacement and derivatives at any θ (radians); on a joint, the limit from the right.
+    /// Displacement and derivatives at any θ; on a joint, the limit from the right. A travel is held at its ends.
     #[must_use]
     pub fn at(&self, theta: f64) -> Svaj {
-        let theta = theta.rem_euclid(TAU);
+        let span = self.span();
+        if !self.is_cyclic() {
+            let theta = theta.clamp(0.0, span);
+            return self.stretches[self.stretch_index(theta)].at(theta);
+        }
+        let theta = theta.rem_euclid(span);
         // A hair before the end of the turn is its beginning.
-        let theta = if theta >= TAU - SNAP { 0.0 } else { theta };
+        let theta = if theta >= span - SNAP { 0.0 } else { theta };
         self.stretches[self.stretch_index(theta)].at(theta)
     }
 
-    /// Index of the stretch that holds for `theta` ∈ [0, 2π); on a joint, the one to its right.
+    /// Index of the stretch that holds for `theta` within the span; on a joint, the one to its right.
     #[must_use]
     pub fn stretch_index(&self, theta: f64) -> usize {
-        self.stretches.partition_point(|stretch| stretch.to <= theta + SNAP).min(self.stretches.len() - 1)
+        let snap = self.snap();
+        self.stretches.partition_point(|stretch| stretch.to <= theta + snap).min(self.stretches.len() - 1)
     }
 
-    /// Every joint between smooth stretches, the one at θ = 0 first: θ and the limits on both sides.
-    pub fn joints(&self) -> impl Iterator<Item = (&Stretch, Svaj, Svaj)> {
+    /// Every joint between smooth stretches, the one at θ = 0 first: θ, the stretch that begins there and the limits on both
+    /// sides. At the ends of a travel, where the cam turns back, the limits are those of the same end, run forth and back.
+    pub fn joints(&self) -> impl Iterator<Item = (f64, &Stretch, Svaj, Svaj)> {
         let n = self.stretches.len();
-        (0..n).map(move |i| {
-            let (before, after) = (&self.stretches[(i + n - 1) % n], &self.stretches[i]);
-            (after, before.at(before.to), after.at(after.from))
-        })
+        let last = &self.stretches[n - 1];
+        let end = last.at(last.to);
+        let start = if self.is_cyclic() { end } else { run_back(self.stretches[0].at(0.0)) };
+        let turning = (!self.is_cyclic()).then(|| (last.to, last, end, run_back(end)));
+        let inner = (0..n).map(move |i| {
+            let after = &self.stretches[i];
+            let before = if i == 0 { start } else { self.stretches[i - 1].at(self.stretches[i - 1].to) };
+            (after.from, after, before, after.at(after.from))
+        });
+        inner.chain(turning)
     }
 
     /// Every joint, the one at θ = 0 first, with the lowest order that jumps there.
@@ -219,14 +338,14 @@ impl Program {
     pub fn classified_joints(&self) -> Vec<Joint> {
         let scales: [f64; 4] =
             std::array::from_fn(|order| self.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max));
-        let classify = |(stretch, before, after): (&Stretch, Svaj, Svaj)| {
+        let classify = |(theta, stretch, before, after): (f64, &Stretch, Svaj, Svaj)| {
             // What a program may leave open at its end is no jump of s.
             let left_open = [CLOSING_TOLERANCE, 0.0, 0.0, 0.0];
             let jumps = |&order: &usize| {
                 (before.order(order) - after.order(order)).abs() > JUMP_TOLERANCE * scales[order] + left_open[order]
             };
             let jump = (0..4).find(jumps).map(|order| order as u8);
-            Joint { theta: stretch.from, segment: stretch.segment, before, after, jump }
+            Joint { theta, segment: stretch.segment, before, after, jump }
         };
         self.joints().map(classify).collect()
     }
@@ -252,17 +371,44 @@ impl Program {
         for k in 0..n {
             if let Shape::Matched(orders) = self.segments[k].law.shape {
                 let (before, after) = (fixed[(k + n - 1) % n].last(), fixed[(k + 1) % n].first());
-                let start = before.map_or_else(Svaj::default, |s| s.at(s.to));
-                let end = after.map_or_else(Svaj::default, |s| s.at(s.from));
+                let start = before.map_or_else(Svaj::default, |s| s.at(s.to)) * self.round_the_end(k == 0);
+                let end = after.map_or_else(Svaj::default, |s| s.at(s.from)) * self.round_the_end(k + 1 == n);
                 fixed[k] = vec![self.matched_stretch(k, orders, start, end)];
             }
         }
         Ok(fixed.into_iter().flatten().collect())
     }
 
+    /// What the neighbour's derivatives count when it is met round the end of the cycle: as they are in a turn; upside down when
+    /// the other half is the image of this one; nothing where a travel turns back, since the follower rests there.
+    fn round_the_end(&self, round: bool) -> f64 {
+        match self.cycle {
+            Cycle::Mirrored if round => -1.0,
+            Cycle::Travel(_) if round => 0.0,
+            _ => 1.0,
+        }
+    }
+
+    /// Appends the image of the first half of the turn: s(θ + π) = L − s(θ).
+    fn mirror(&mut self) {
+        let (count, top) = (self.segments.len(), self.heights[self.segments.len()]);
+        self.segments.extend_from_within(..);
+        self.segments[count..].iter_mut().for_each(|segment| segment.rise = -segment.rise);
+        self.borders.extend_from_within(1..);
+        self.borders[count + 1..].iter_mut().for_each(|border| *border += PI);
+        self.borders[2 * count] = TAU;
+        self.heights.extend_from_within(1..);
+        self.heights[count + 1..].iter_mut().for_each(|height| *height = top - *height);
+        let images: Vec<Stretch> = self.stretches.iter().map(|stretch| stretch.image(count, top)).collect();
+        self.stretches.extend(images);
+        if let Some(last) = self.stretches.last_mut() {
+            last.to = TAU;
+        }
+    }
+
     fn unit_pieces(&self, k: usize) -> Result<Vec<Piece>, ProgramError> {
         let segment = &self.segments[k];
-        let arguments = Arguments { parameters: segment.parameters, falling: segment.rise < 0.0 };
+        let arguments = Arguments { parameters: segment.parameters, falling: segment.rise < 0.0, beta: segment.beta };
         let pieces = segment.law.unit(arguments).map_err(|problem| ProgramError {
             segment: k,
             problem: ProgramProblem::Parameter {
@@ -323,13 +469,20 @@ fn climb(segments: &[Segment]) -> Result<(Vec<f64>, Vec<Option<Solved>>), Progra
     Ok((heights, solved))
 }
 
-fn check_each(segments: &[Segment]) -> Result<(), ProgramError> {
+/// The end of a travel as it is met on the way back.
+fn run_back(limit: Svaj) -> Svaj {
+    Svaj::new(limit.s, -limit.v, limit.a, -limit.j)
+}
+
+fn check_each(cycle: Cycle, segments: &[Segment]) -> Result<(), ProgramError> {
     let refuse = |segment, problem| Err(ProgramError { segment, problem });
-    if segments.is_empty() || segments.len() > MAX_SEGMENTS {
+    let most = if cycle == Cycle::Mirrored { MAX_SEGMENTS / 2 } else { MAX_SEGMENTS };
+    if segments.is_empty() || segments.len() > most {
         return refuse(0, ProgramProblem::Count { found: segments.len() });
     }
+    let (given, part) = (cycle.given(), cycle.span() / TAU);
     for (k, segment) in segments.iter().enumerate() {
-        if !segment.beta.is_finite() || segment.beta < MIN_BETA || segment.beta > TAU + TURN_TOLERANCE {
+        if !segment.beta.is_finite() || segment.beta < MIN_BETA * part || segment.beta > given + TURN_TOLERANCE * part {
             return refuse(k, ProgramProblem::Beta { found: segment.beta });
         }
         if !segment.rise.is_finite() {
@@ -338,24 +491,27 @@ fn check_each(segments: &[Segment]) -> Result<(), ProgramError> {
         if segment.law.is_dwell() && segment.rise != 0.0 {
             return refuse(k, ProgramProblem::DwellRises { found: segment.rise });
         }
+        let joins_another = k + 1 < segments.len() || !matches!(cycle, Cycle::Travel(_));
         let next = &segments[(k + 1) % segments.len()];
-        if segment.law.is_matched() && next.law.is_matched() {
+        if joins_another && segment.law.is_matched() && next.law.is_matched() {
             return refuse(k, ProgramProblem::AdjacentPolynomials { next: (k + 1) % segments.len() });
         }
     }
     Ok(())
 }
 
-fn check_cycle(segments: &[Segment], borders: &[f64], heights: &[f64]) -> Result<(), ProgramError> {
+fn check_cycle(cycle: Cycle, segments: &[Segment], borders: &[f64], heights: &[f64]) -> Result<(), ProgramError> {
     let last = segments.len() - 1;
-    let (turn, height) = (borders[last + 1], heights[last + 1]);
-    if (turn - TAU).abs() > TURN_TOLERANCE {
-        return Err(ProgramError { segment: last, problem: ProgramProblem::Turn { found: turn } });
+    let (covered, height) = (borders[last + 1], heights[last + 1]);
+    if (covered - cycle.given()).abs() > TURN_TOLERANCE * (cycle.span() / TAU) {
+        return Err(ProgramError { segment: last, problem: ProgramProblem::Turn { found: covered } });
     }
-    if let Some(k) = heights[..=last].iter().position(|&height| height < -CLOSING_TOLERANCE) {
+    let free_end = cycle != Cycle::Turn;
+    let checked = if free_end { heights } else { &heights[..=last] };
+    if let Some(k) = checked.iter().position(|&height| height < -CLOSING_TOLERANCE) {
         return Err(ProgramError { segment: k - 1, problem: ProgramProblem::BelowBase { found: heights[k] } });
     }
-    if height.abs() > CLOSING_TOLERANCE {
+    if !free_end && height.abs() > CLOSING_TOLERANCE {
         return Err(ProgramError { segment: last, problem: ProgramProblem::Closing { found: height } });
     }
     Ok(())

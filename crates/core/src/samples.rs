@@ -1,6 +1,6 @@
-//! A cam looked at in enough places: an even grid over the turn, and the ends of every smooth stretch.
+//! A cam looked at in enough places: an even grid over the cycle, and the ends of every smooth stretch.
 
-use crate::{Cam, Contact, Point, Stretch, Svaj};
+use crate::{Cam, Contact, Drive, Point, Stretch, Svaj};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -89,9 +89,10 @@ pub(crate) struct Samples {
     /// Contact and trace point at the stations of the grid, in the cam's frame.
     pub profile: Vec<Point>,
     pub pitch: Vec<Point>,
-    /// e^(−iσθ) at the stations of the grid.
+    /// e^(−iσθ) at the stations of the grid; none for a cam that travels.
     pub turns: Vec<Point>,
-    /// The outward normal looks away from the cam's centre everywhere.
+    /// The outward normal looks away from the cam's centre everywhere, or the cam travels: then it always looks up. Such a
+    /// profile does not cross itself unless it is undercut.
     pub star_shaped: bool,
 }
 
@@ -114,7 +115,10 @@ impl Samples {
             own: Default::default(),
             profile: Vec::with_capacity(n + 1),
             pitch: Vec::with_capacity(if flat { 0 } else { n + 1 }),
-            turns: turns(cam.follower.rotation.sigma(), n),
+            turns: match cam.follower.drive {
+                Drive::Turns => turns(cam.follower.rotation.sigma(), n),
+                Drive::Travels => Vec::new(),
+            },
             star_shaped: true,
         };
         for stretch in stretches {
@@ -131,6 +135,11 @@ impl Samples {
     /// A quantity at the samples that stretches have of their own.
     pub fn own(&self, quantity: Quantity) -> &[f64] {
         &self.own[quantity as usize]
+    }
+
+    /// The value at the very end of the cycle, from within it.
+    pub fn last(&self, quantity: Quantity) -> Option<f64> {
+        self.own(quantity).last().copied()
     }
 
     /// Takes the grid's values of a quantity out.
@@ -166,9 +175,10 @@ impl Samples {
     }
 
     fn look_along(&mut self, cam: &Cam, stretch: &Stretch, n: usize) {
-        let step = TAU / n as f64;
+        let span = cam.program.span();
+        let (step, snap) = (span / n as f64, SNAP * (span / TAU));
         let first = self.theta.len();
-        let after = if stretch.to >= TAU { n } else { ((stretch.to - SNAP) / step).ceil() as usize };
+        let after = if stretch.to >= span { n } else { ((stretch.to - snap) / step).ceil() as usize };
         let look = |theta: f64| {
             let motion = stretch.at(theta);
             (motion, cam.follower.contact(motion))
@@ -176,18 +186,20 @@ impl Samples {
         // A dwell is looked at once.
         let still = stretch.is_still().then(|| look(stretch.from));
         for k in first..after {
-            let theta = TAU * k as f64 / n as f64;
+            let theta = span * k as f64 / n as f64;
             let (motion, contact) = still.unwrap_or_else(|| look(theta));
             self.theta.push(theta);
             put(&mut self.grid, cam, &motion, &contact);
-            self.profile.push(contact.point * self.turns[k]);
+            let turn = self.turns.get(k).copied();
+            let in_cam_frame = |point: Point| turn.map_or(point + theta, |turn| point * turn);
+            self.profile.push(in_cam_frame(contact.point));
             if !cam.follower.is_flat() {
-                self.pitch.push(contact.trace * self.turns[k]);
+                self.pitch.push(in_cam_frame(contact.trace));
             }
-            self.star_shaped &= looks_away(&contact);
+            self.star_shaped &= turn.is_none() || looks_away(&contact);
         }
         let own_first = self.own_theta.len();
-        let starts_on_grid = first < after && self.theta[first] - stretch.from < SNAP;
+        let starts_on_grid = first < after && self.theta[first] - stretch.from < snap;
         let parts = if after.saturating_sub(first) < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
         for i in usize::from(starts_on_grid)..=parts {
             let theta = if i == parts {
@@ -198,7 +210,7 @@ impl Samples {
             let (motion, contact) = look(theta);
             self.own_theta.push(theta);
             put(&mut self.own, cam, &motion, &contact);
-            self.star_shaped &= looks_away(&contact);
+            self.star_shaped &= cam.follower.drive == Drive::Travels || looks_away(&contact);
         }
         self.spans.push(Span { grid: first..after.max(first), own: own_first..self.own_theta.len() });
     }

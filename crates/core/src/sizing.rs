@@ -2,7 +2,7 @@
 
 use crate::extreme::{extremes, root};
 use crate::samples::{LEAST_STEPS, Quantity, Samples};
-use crate::{Analysis, Body, Cam};
+use crate::{Analysis, Body, Cam, Closure, Cycle, Drive, Program, Segment};
 
 /// Steps of the first, coarse look at a candidate cam.
 const COARSE_STEPS: usize = 120;
@@ -34,7 +34,34 @@ const INSIDE: f64 = 1e-12;
 /// A jump of the motion is not cured by any base circle and is not looked at.
 #[must_use]
 pub fn smallest_base_radius(cam: &Cam) -> Option<f64> {
-    let passes = |base_radius: f64, steps: usize| shortfall(cam, base_radius, steps) <= 0.0;
+    (cam.follower.drive == Drive::Turns && cam.follower.reversed.is_none()).then(|| smallest_size(cam)).flatten()
+}
+
+/// The shortest travel with which every geometric limit is kept, all β's in proportion, as [`smallest_base_radius`] is found.
+/// None for a cam that turns.
+#[must_use]
+pub fn shortest_travel(cam: &Cam) -> Option<f64> {
+    (cam.follower.drive == Drive::Travels).then(|| smallest_size(cam)).flatten()
+}
+
+/// The same cam with another base radius, or with another travel and all β's in proportion.
+#[must_use]
+pub fn resized(cam: &Cam, size: f64) -> Option<Cam> {
+    if cam.follower.drive == Drive::Turns {
+        return cam.with_base_radius(size).ok();
+    }
+    let factor = size / cam.program.span();
+    // What a free law goes through was measured on the travel as it is.
+    if cam.program.given().iter().any(|segment| segment.law.free().is_some()) {
+        return None;
+    }
+    let longer = |segment: &Segment| Segment { beta: segment.beta * factor, ..segment.clone() };
+    let segments: Vec<Segment> = cam.program.given().iter().map(longer).collect();
+    Some(cam.with_program(Program::on(Cycle::Travel(size), &segments).ok()?))
+}
+
+fn smallest_size(cam: &Cam) -> Option<f64> {
+    let passes = |size: f64, steps: usize| shortfall(cam, size, steps) <= 0.0;
     let (low, high) = match cam.follower.body {
         Body::Slide => bracket_of_a_slide(cam, passes)?,
         Body::Swing { pivot } => {
@@ -48,7 +75,7 @@ pub fn smallest_base_radius(cam: &Cam) -> Option<f64> {
     let exact = |radius: f64| shortfall(cam, radius, LEAST_STEPS);
     let solved = if exact(low).is_finite() { root(low, high, exact) } else { bisect(low, high, exact) };
     let solved = solved * (1.0 + INSIDE);
-    geometry_passes(&cam.with_base_radius(solved).ok()?).then_some(solved)
+    geometry_passes(&resized(cam, solved)?).then_some(solved)
 }
 
 /// The eccentricity for which the greatest φ of the rise equals that of the return, when the follower has one.
@@ -58,7 +85,7 @@ pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
     let prime_radius = cam.follower.base_radius + cam.follower.disc_radius();
     let imbalance = |eccentricity: f64| {
         let Ok(follower) = cam.follower.with_value(index, eccentricity) else { return f64::NAN };
-        let moved = Cam::new(cam.program.clone(), follower);
+        let moved = cam.with_follower(follower);
         let angles = extremes(&moved, &Samples::on_grid(&moved, LEAST_STEPS), Quantity::PressureAngle);
         angles.max + angles.min
     };
@@ -72,10 +99,10 @@ pub(crate) fn geometry_passes(cam: &Cam) -> bool {
     Analysis::of(cam, LEAST_STEPS).findings.iter().all(|finding| finding.kind.is_of_the_motion())
 }
 
-/// How far a base radius is from passing: positive when it fails, infinite when the geometry cannot be.
-fn shortfall(cam: &Cam, base_radius: f64, steps: usize) -> f64 {
-    let Ok(follower) = cam.follower.with_base_radius(base_radius) else { return f64::INFINITY };
-    let sized = Cam::new(cam.program.clone(), follower);
+/// How far a base radius (or a travel) is from passing: positive when it fails, infinite when the geometry cannot be.
+fn shortfall(cam: &Cam, size: f64, steps: usize) -> f64 {
+    let Some(sized) = resized(cam, size) else { return f64::INFINITY };
+    let follower = &sized.follower;
     let mut samples = Samples::on_grid(&sized, steps);
     if let Body::Swing { .. } = follower.body {
         samples.measure_radius(&sized);
@@ -89,7 +116,9 @@ fn shortfall(cam: &Cam, base_radius: f64, steps: usize) -> f64 {
 fn roundness(cam: &Cam, samples: &Samples) -> f64 {
     let bend = extremes(cam, samples, Quantity::Bend);
     let tightest = if cam.follower.is_flat() { bend.min } else { bend.max.max(f64::MIN_POSITIVE) };
-    (cam.follower.profile_radius(tightest) / cam.follower.base_radius - CLEAR_OF_CUSP).min(1.0)
+    let inner = (cam.follower.profile_radius(tightest) / cam.size() - CLEAR_OF_CUSP).min(1.0);
+    let grooved = cam.closure == Closure::Groove;
+    if grooved { inner.min(1.0 + cam.follower.disc_radius() * bend.min - CLEAR_OF_CUSP) } else { inner }
 }
 
 /// Positive when a swinging face lags behind the cam or loses its contact past the pivot, or when the cam reaches the pivot.
@@ -106,7 +135,7 @@ fn misplacement(cam: &Cam, samples: &Samples) -> f64 {
 
 /// A failing and a passing base radius for a sliding follower, whose limits are all kept better by a larger base circle.
 fn bracket_of_a_slide(cam: &Cam, passes: impl Fn(f64, usize) -> bool) -> Option<(f64, f64)> {
-    let now = cam.follower.base_radius;
+    let now = cam.size();
     let mut radius = now;
     if passes(radius, LEAST_STEPS) {
         while radius > now / SPAN {

@@ -7,10 +7,10 @@ use crate::limits::{
     ANGLE, BETA, MAX_SEGMENTS, MAX_TITLE, OFFSET, RISE, SIZE, SPEED, SUM_ROUNDING, SUM_TOLERANCE, SWING,
     is_unfit_for_title,
 };
-use crate::{DataRefusal, Design, DesignError, Measure, Path, Problem, SegmentDesign};
+use crate::{CamKind, DataRefusal, Design, DesignError, Measure, Path, Problem, SegmentDesign, SpeedUnit};
 use levalab_core::law::Given;
 use levalab_core::{
-    Cam, Follower, GeometryError, GeometryProblem, MIN_BETA, Parameter, Program, ProgramError, ProgramProblem,
+    Cam, Cycle, Follower, GeometryError, GeometryProblem, MIN_BETA, Parameter, Program, ProgramError, ProgramProblem,
     Quantity, Segment,
 };
 use std::f64::consts::TAU;
@@ -26,15 +26,41 @@ impl Design {
         check_title(&self.title)?;
         check_range(["speed", "value"], self.speed.value, &SPEED, Measure::Speed)?;
         self.check_geometry()?;
-        let heights = self.check_program()?;
-        let program = Program::new(&self.core_segments(&heights)).map_err(|error| self.program_error(error))?;
+        let program = self.program()?;
         let mut values = self.values;
         for (value, parameter) in values.iter_mut().zip(self.follower.parameters) {
             *value = to_core(parameter, *value);
         }
-        let follower = Follower::new(self.follower, self.base_radius, values, self.rotation)
-            .map_err(|error| geometry_error(self.follower.parameters, error))?;
-        Ok(Cam::new(program, follower))
+        let follower = match self.kind.travel() {
+            Some(_) => Follower::on_travel(self.follower, values),
+            None => Follower::new(self.follower, self.base_radius, values, self.rotation),
+        };
+        let follower = follower.map_err(|error| geometry_error(self.follower.parameters, error))?;
+        let cam = Cam::new(program, follower).closed_by(self.kind.closure());
+        self.second(&cam)?;
+        Ok(cam)
+    }
+
+    /// The motion program: ready-made, or joined from the segments.
+    fn program(&self) -> Result<Program, DesignError> {
+        if let (Some(generator), Some(travel)) = (self.kind.generator(), self.breadth_travel()) {
+            if !self.segments.is_empty() {
+                return Err(DesignError::at("segments", Problem::Unsuited { kind: self.kind.word() }));
+            }
+            return generator.program(travel).map_err(|error| self.program_error(error));
+        }
+        let heights = self.check_program()?;
+        Program::on(self.kind.cycle(), &self.core_segments(&heights)).map_err(|error| self.program_error(error))
+    }
+
+    /// What β's are measured in.
+    pub(crate) fn stride(&self) -> Measure {
+        if self.kind.travel().is_some() { Measure::Length } else { Measure::Degrees }
+    }
+
+    /// A place of the cycle in the units of the core.
+    fn core_place(&self, place: f64) -> f64 {
+        if self.kind.travel().is_some() { place } else { place.to_radians() }
     }
 
     /// What displacement is measured in.
@@ -43,7 +69,13 @@ impl Design {
     }
 
     fn check_geometry(&self) -> Result<(), DesignError> {
-        check_range(["cam", "base_radius"], self.base_radius, &SIZE, Measure::Length)?;
+        if self.kind.travel().is_none() {
+            check_range(["cam", "base_radius"], self.base_radius, &SIZE, Measure::Length)?;
+        }
+        self.check_kind()?;
+        if (self.speed.unit == SpeedUnit::LengthPerSecond) != self.kind.travel().is_some() {
+            return Err(DesignError::at(["speed", "unit"], Problem::Unsuited { kind: self.kind.word() }));
+        }
         for (parameter, &value) in self.follower.parameters.iter().zip(&self.values) {
             // A length without a natural value is a size; one that is zero unless told is an offset.
             let range = match parameter.quantity {
@@ -70,8 +102,9 @@ impl Design {
             self.check_segment(k)?;
         }
         let turn: Decimal = self.segments.iter().map(|segment| Decimal::of(segment.beta)).sum();
-        if misses(turn - Decimal::of(360.0)) {
-            return Err(DesignError::at("segments", Problem::Turn { found: turn.to_f64() }));
+        let (whole, measure) = (self.kind.whole(), self.stride());
+        if misses(turn - Decimal::of(whole)) {
+            return Err(DesignError::at("segments", Problem::Turn { found: turn.to_f64(), whole, measure }));
         }
         self.check_heights()
     }
@@ -79,14 +112,21 @@ impl Design {
     fn check_segment(&self, k: usize) -> Result<(), DesignError> {
         let SegmentDesign { law, beta, rise, .. } = &self.segments[k];
         let (here, measure) = (Path::from("segments").join(k), self.travel());
-        check_range(here.join("beta"), *beta, &BETA, Measure::Degrees)?;
+        match self.kind.travel() {
+            Some(length) => {
+                let range = length * MIN_BETA / TAU..=length * (1.0 + SUM_TOLERANCE);
+                check_range(here.join("beta"), *beta, &range, Measure::Length)?;
+            }
+            None => check_range(here.join("beta"), *beta, &BETA, Measure::Degrees)?,
+        }
         check_range(here.join("rise"), *rise, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
         if law.is_dwell() && *rise != 0.0 {
             return Err(DesignError::at(here.join("rise"), Problem::DwellRises { found: *rise, measure }));
         }
         data::check(&here, &self.segments[k].data, self.is_oscillating())?;
         let next = (k + 1) % self.segments.len();
-        if law.is_matched() && self.segments[next].law.is_matched() {
+        let round = next == 0 && self.kind.travel().is_some();
+        if law.is_matched() && self.segments[next].law.is_matched() && !round {
             return Err(DesignError::at(here.join("law"), Problem::AdjacentPolynomials { next }));
         }
         Ok(())
@@ -97,13 +137,26 @@ impl Design {
         let mut heights = vec![Decimal::default()];
         for k in 0..self.segments.len() {
             let height = self.end_of(k, heights[k])?;
-            if height < Decimal::default() && misses(height) && k + 1 < self.segments.len() {
+            let closes = self.kind.cycle() == Cycle::Turn && k + 1 == self.segments.len();
+            if height < Decimal::default() && misses(height) && !closes {
                 let here = self.place_of_rise(k);
                 return Err(DesignError::at(here, Problem::BelowBase { found: height.to_f64(), measure }));
             }
             heights.push(height);
         }
         let last = heights[self.segments.len()];
+        match (self.kind, self.breadth_travel()) {
+            (CamKind::Translating { .. }, _) => return Ok(heights),
+            (CamKind::ConstantBreadth { breadth, .. }, Some(travel)) => {
+                if misses(last - Decimal::of(travel)) {
+                    let (found, base_radius) = (last.to_f64(), self.base_radius);
+                    let problem = Problem::BreadthTravel { found, travel, breadth, base_radius };
+                    return Err(DesignError::at("segments", problem));
+                }
+                return Ok(heights);
+            }
+            _ => {}
+        }
         if misses(last) {
             return Err(DesignError::at("segments", Problem::Closing { found: last.to_f64(), measure }));
         }
@@ -122,7 +175,7 @@ impl Design {
             Some(end) => end,
             None => {
                 let up = if self.is_oscillating() { 1_f64.to_radians() } else { 1.0 };
-                let beta = segment.beta.to_radians();
+                let beta = self.core_place(segment.beta);
                 let data = segment.data.scaled(beta / segment.beta, up);
                 let given = Given { data: &data, beta, start: start.to_f64() * up };
                 let solved = (free.solve)(&given).map_err(|problem| data::refusal(&here, segment, problem))?;
@@ -157,11 +210,12 @@ impl Design {
     fn core_segments(&self, heights: &[Decimal]) -> Vec<Segment> {
         let to_core_rise = |height: f64| if self.is_oscillating() { height.to_radians() } else { height };
         let last = self.segments.len() - 1;
+        let least = self.kind.travel().map_or(1.0, |length| length / TAU);
         let (mut border, mut theta, mut height) = (Decimal::default(), 0.0, 0.0);
         let each = self.segments.iter().enumerate().map(|(k, segment)| {
             border = border + Decimal::of(segment.beta);
-            let end = if k == last { TAU } else { border.to_f64().to_radians() };
-            let beta = (end - theta).max(MIN_BETA);
+            let end = self.core_place(if k == last { self.kind.whole() } else { border.to_f64() });
+            let beta = (end - theta).max(MIN_BETA * least);
             let target = to_core_rise(heights[k + 1].to_f64());
             let rise = if segment.law.is_dwell() { 0.0 } else { target - height };
             (theta, height) = (theta + beta, height + rise);
@@ -186,14 +240,18 @@ impl Design {
                 ("segments".into(), Problem::TooManySegments { found, limit: MAX_SEGMENTS })
             }
             ProgramProblem::Beta { found } => {
-                (here.join("beta"), out_of_range(found.to_degrees(), &BETA, Measure::Degrees))
+                let found = if self.kind.travel().is_some() { found } else { found.to_degrees() };
+                (here.join("beta"), out_of_range(found, &BETA, self.stride()))
             }
             ProgramProblem::Rise { found } => (here.join("rise"), out_of_range(edge(found), &RISE, measure)),
             ProgramProblem::DwellRises { found } => {
                 (here.join("rise"), Problem::DwellRises { found: edge(found), measure })
             }
             ProgramProblem::AdjacentPolynomials { next } => (here.join("law"), Problem::AdjacentPolynomials { next }),
-            ProgramProblem::Turn { found } => ("segments".into(), Problem::Turn { found: found.to_degrees() }),
+            ProgramProblem::Turn { found } => {
+                let found = if self.kind.travel().is_some() { found } else { found.to_degrees() };
+                ("segments".into(), Problem::Turn { found, whole: self.kind.whole(), measure: self.stride() })
+            }
             ProgramProblem::Data(problem) => match self.segments.get(segment) {
                 Some(segment) => return data::refusal(&here, segment, problem),
                 None => (here, Problem::Missing),
@@ -217,6 +275,7 @@ fn geometry_error(parameters: &[Parameter], GeometryError { key, problem }: Geom
     let (measure, edge) = edge_of(parameters, key);
     let problem = match problem {
         GeometryProblem::NotFinite => Problem::NotFinite,
+        GeometryProblem::Unsuited => Problem::Unsuited { kind: CamKind::WORDS[3] },
         GeometryProblem::NotPositive { found } => Problem::NotPositive { found: edge(found), measure },
         GeometryProblem::Outside { found, min, max } => {
             Problem::NotBetween { found: edge(found), min: edge(min), max: edge(max), measure }
@@ -269,7 +328,7 @@ fn misses(difference: Decimal) -> bool {
     difference.to_f64().abs() > SUM_TOLERANCE + SUM_ROUNDING
 }
 
-fn measure_of(parameter: &Parameter) -> Measure {
+pub(crate) fn measure_of(parameter: &Parameter) -> Measure {
     match parameter.quantity {
         Quantity::Length => Measure::Length,
         Quantity::Angle => Measure::Degrees,

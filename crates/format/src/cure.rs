@@ -1,10 +1,11 @@
 //! What puts a finding right, as numbers that a person would write and as changes to the design file.
 
+use crate::decimal::Decimal;
 use crate::report::{scale_of, tidy};
 use crate::write::{number, segment_value};
-use crate::{Design, DesignError, Path, PathPart, SegmentDesign};
+use crate::{CamKind, Conjugate, Design, DesignError, Path, PathPart, SegmentDesign};
 use levalab_core::law::Data;
-use levalab_core::{Analysis, Cam, Column, Cure, Law, prescribe};
+use levalab_core::{Analysis, Cam, Column, Cure, Finding, Law, Tie, prescribe, resized, working_ties};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -36,6 +37,18 @@ pub enum Remedy {
         /// True when the cam has to grow, so that any larger circle is good as well; false when it has to shrink.
         grows: bool,
     },
+    /// A longer travel of a cam that travels, all β's in proportion.
+    Travel {
+        /// Its length.
+        value: f64,
+    },
+    /// Another distance or angle (degrees) between the elements of a conjugate pair.
+    Tie {
+        /// What is to change, with the value that it takes.
+        tie: Tie,
+        /// True when it has to grow.
+        grows: bool,
+    },
     /// Another eccentricity.
     Eccentricity {
         /// e.
@@ -56,11 +69,44 @@ pub enum Remedy {
 /// digits, and tried again with them.
 #[must_use]
 pub fn cures(design: &Design, cam: &Cam, analysis: &Analysis) -> Vec<Vec<DesignCure>> {
+    if cam.follower.reversed.is_some() {
+        return cures_of_second(design, cam, analysis);
+    }
     let told = |cure: Cure| {
         let remedy = in_units(design, cam, cure);
         DesignCure { edits: edits(design, cam, &remedy), remedy }
     };
     prescribe(cam, analysis).into_iter().map(|cures| cures.into_iter().map(told).collect()).collect()
+}
+
+/// A second cam is cured by what ties it to the first: the nearest value with which its geometry passes. Its motion is cured
+/// where it is made.
+fn cures_of_second(design: &Design, cam: &Cam, analysis: &Analysis) -> Vec<Vec<DesignCure>> {
+    let to_blame = !analysis.findings.iter().all(|finding| finding.kind.is_of_the_motion());
+    let cure = to_blame.then(|| nearest_tie(design)).flatten().map(|remedy| {
+        let edits = edits(design, cam, &remedy);
+        DesignCure { remedy, edits }
+    });
+    let of = |finding: &Finding| cure.clone().filter(|_| !finding.kind.is_of_the_motion()).into_iter().collect();
+    analysis.findings.iter().map(of).collect()
+}
+
+fn nearest_tie(design: &Design) -> Option<Remedy> {
+    let (pair, first) = (design.conjugate?, design.cam().ok()?);
+    let (least, most) = working_ties(&first, pair.core_tie(), pair.radius)?;
+    let edge = |value: f64| if matches!(pair.tie, Tie::Angle(_)) { value.to_degrees() } else { value };
+    let (least, most, now) = (edge(least), edge(most), pair.tie.value());
+    let grows = now < least;
+    let how = if grows { f64::ceil } else { f64::floor };
+    let exact = if grows { least } else { most };
+    let inside = |value: &f64| (least..=most).contains(value);
+    let value = (DIGITS..ALL_DIGITS).map(|digits| round(exact, digits, how)).find(inside)?;
+    let tie = match pair.tie {
+        Tie::Distance(_) => Tie::Distance(value),
+        Tie::Angle(_) => Tie::Angle(value),
+        Tie::BaseRadius(_) => Tie::BaseRadius(value),
+    };
+    Some(Remedy::Tie { tie, grows })
 }
 
 /// The design with some changes made.
@@ -88,7 +134,30 @@ pub fn apply(design: &Design, edits: &[Edit]) -> Result<Design, DesignError> {
 fn edits(design: &Design, cam: &Cam, remedy: &Remedy) -> Vec<Edit> {
     let edit = |path: Path, value: Value| Edit { path: path.0, value };
     match remedy {
-        Remedy::BaseRadius { value, .. } => vec![edit(["cam", "base_radius"].into(), number(*value))],
+        Remedy::BaseRadius { value, .. } => {
+            let mut edits = vec![edit(["cam", "base_radius"].into(), number(*value))];
+            let more = Decimal::of(*value) - Decimal::of(design.base_radius);
+            // The travel stays: the breadth follows the base circle, and so does the far side of a pair.
+            if let CamKind::ConstantBreadth { breadth, .. } = design.kind {
+                edits.push(edit(["cam", "breadth"].into(), number((Decimal::of(breadth) + more + more).to_f64())));
+            }
+            if let Some(Conjugate { tie: Tie::Distance(distance), .. }) = design.conjugate {
+                let distance = (Decimal::of(distance) + more).to_f64();
+                edits.push(edit(["conjugate", "distance"].into(), number(distance)));
+            }
+            edits
+        }
+        Remedy::Travel { value } => {
+            let mut edits = vec![edit(["cam", "length"].into(), number(*value))];
+            edits.extend(
+                stretched(design, *value)
+                    .into_iter()
+                    .enumerate()
+                    .map(|(k, beta)| edit(Path::from("segments").join(k).join("beta"), number(beta))),
+            );
+            edits
+        }
+        Remedy::Tie { tie, .. } => vec![edit(["conjugate", tie.key()].into(), number(tie.value()))],
         Remedy::Eccentricity { value, .. } => vec![edit(["follower", "eccentricity"].into(), number(*value))],
         Remedy::Laws { changes, .. } => {
             // The whole segment, since the parameters of the old law go and those of the new one come.
@@ -119,6 +188,19 @@ fn rise_of(design: &Design, cam: &Cam, k: usize) -> f64 {
     }
 }
 
+/// The β's of a cam that travels, in proportion to another length and adding up to it.
+fn stretched(design: &Design, length: f64) -> Vec<f64> {
+    let factor = length / design.kind.whole();
+    let mut left = Decimal::of(length);
+    let last = design.segments.len().saturating_sub(1);
+    let beta = |(k, segment): (usize, &SegmentDesign)| {
+        let beta = if k == last { left } else { Decimal::of(round(segment.beta * factor, DIGITS + 2, f64::round)) };
+        left = left - beta;
+        beta.to_f64()
+    };
+    design.segments.iter().enumerate().map(beta).collect()
+}
+
 fn default_parameters(law: &Law) -> [f64; levalab_core::law::MAX_LAW_PARAMETERS] {
     let mut values = [0.0; levalab_core::law::MAX_LAW_PARAMETERS];
     for (value, parameter) in values.iter_mut().zip(law.parameters) {
@@ -133,12 +215,13 @@ fn in_units(design: &Design, cam: &Cam, cure: Cure) -> Remedy {
             let value = shortest_passing(cam, exact);
             Remedy::BaseRadius { value, grows: value > design.base_radius }
         }
+        Cure::Travel(exact) => Remedy::Travel { value: shortest_passing(cam, exact) },
         Cure::Eccentricity { value, pressure_angle } => {
             let rounded = round(value, DIGITS, f64::round);
             let moved =
                 cam.follower.kind.index_of("eccentricity").and_then(|i| cam.follower.with_value(i, rounded).ok());
             let remaining = moved.map_or(pressure_angle, |follower| {
-                let analysis = Analysis::of(&Cam::new(cam.program.clone(), follower), LOOK);
+                let analysis = Analysis::of(&cam.with_follower(follower), LOOK);
                 analysis.summary.pressure_angle.greatest_size().0
             });
             Remedy::Eccentricity { value: rounded, pressure_angle: remaining.to_degrees() }
@@ -160,10 +243,10 @@ const ALL_DIGITS: i32 = 17;
 /// Steps in which a rounded cure is looked at; the verdict is exact whatever they are.
 const LOOK: usize = 1;
 
-/// The base radius rounded up to the fewest digits, four or more, with which the geometry still passes.
+/// The base radius (or the travel) rounded up to the fewest digits, four or more, with which the geometry still passes.
 fn shortest_passing(cam: &Cam, exact: f64) -> f64 {
     let passes = |&radius: &f64| {
-        let Ok(sized) = cam.with_base_radius(radius) else { return false };
+        let Some(sized) = resized(cam, radius) else { return false };
         Analysis::of(&sized, LOOK).findings.iter().all(|finding| finding.kind.is_of_the_motion())
     };
     (DIGITS..ALL_DIGITS).map(|digits| round(exact, digits, f64::ceil)).find(passes).unwrap_or(exact)

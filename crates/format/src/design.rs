@@ -1,6 +1,6 @@
 //! A design: what a file or a link holds, in the units that people use.
 
-use crate::{LengthUnit, SpeedUnit};
+use crate::{CamKind, Conjugate, LengthUnit, SpeedUnit};
 use levalab_core::law::{Data, MAX_LAW_PARAMETERS};
 use levalab_core::{FollowerKind, FollowerValues, Law, Motion, Parameter, Quantity, Rotation};
 
@@ -16,16 +16,20 @@ pub struct Design {
     pub length_unit: LengthUnit,
     /// How fast the cam turns.
     pub speed: Speed,
+    /// What kind of cam it is.
+    pub kind: CamKind,
     /// The sense in which it turns.
     pub rotation: Rotation,
-    /// Rb.
+    /// Rb; 0 for a cam that travels.
     pub base_radius: f64,
     /// What rides on it.
     pub follower: &'static FollowerKind,
     /// The follower's parameters, in the order of [`FollowerKind::parameters`]; angles in degrees.
     pub values: FollowerValues,
-    /// The motion program.
+    /// The motion program; empty when the kind of cam has one ready-made.
     pub segments: Vec<SegmentDesign>,
+    /// The second cam of a conjugate pair.
+    pub conjugate: Option<Conjugate>,
 }
 
 /// The speed of a cam in the unit it was given in.
@@ -42,7 +46,7 @@ pub struct Speed {
 pub struct SegmentDesign {
     /// How the follower moves.
     pub law: &'static Law,
-    /// β, degrees.
+    /// β, degrees; a length for a cam that travels.
     pub beta: f64,
     /// L: a length, or degrees when the follower swings; negative in a return. 0 when the data of a free law say where it ends.
     pub rise: f64,
@@ -53,7 +57,7 @@ pub struct SegmentDesign {
 }
 
 impl Design {
-    /// ω, rad/s.
+    /// ω, rad/s; length per second for a cam that travels.
     #[must_use]
     pub fn omega(&self) -> f64 {
         self.speed.unit.omega(self.speed.value)
@@ -71,11 +75,13 @@ impl PartialEq for Design {
         self.title == other.title
             && self.length_unit == other.length_unit
             && self.speed == other.speed
+            && self.kind == other.kind
             && self.rotation == other.rotation
             && self.base_radius == other.base_radius
             && self.follower.id == other.follower.id
             && self.values == other.values
             && self.segments == other.segments
+            && self.conjugate == other.conjugate
     }
 }
 

@@ -77,6 +77,11 @@ pub enum Problem {
         /// The fields that have.
         expected: Vec<&'static str>,
     },
+    /// Two fields of which there may be one.
+    OneOf {
+        /// The fields.
+        expected: Vec<&'static str>,
+    },
     /// A field that is there twice.
     DuplicateField,
     /// A word that is none of the choices.
@@ -152,10 +157,14 @@ pub enum Problem {
         /// Index of the other segment.
         next: usize,
     },
-    /// The β's do not add up to 360°.
+    /// The β's do not add up to the cycle.
     Turn {
         /// Their sum.
         found: f64,
+        /// What they should add up to: 360° (180° for half a turn that is mirrored), or the length of a travel.
+        whole: f64,
+        /// What they measure.
+        measure: Measure,
     },
     /// The rises do not lead back to the starting height.
     Closing {
@@ -186,6 +195,61 @@ pub enum Problem {
         arm: f64,
         /// Radius of the prime circle.
         prime_radius: f64,
+    },
+    /// A follower, or a second cam, that this kind of cam has no place for.
+    Unsuited {
+        /// The word for the kind.
+        kind: &'static str,
+    },
+    /// A follower off the centre of a cam that needs it in line.
+    OffCentre {
+        /// Its eccentricity, or the angle of its face.
+        found: f64,
+        /// What it measures.
+        measure: Measure,
+        /// The word for the kind.
+        kind: &'static str,
+    },
+    /// A breadth that leaves no travel: dc ≤ 2Rb.
+    Breadth {
+        /// The breadth.
+        found: f64,
+        /// Rb.
+        base_radius: f64,
+    },
+    /// Segments that do not rise by dc − 2Rb over half a turn.
+    BreadthTravel {
+        /// What they rise by.
+        found: f64,
+        /// dc − 2Rb.
+        travel: f64,
+        /// dc.
+        breadth: f64,
+        /// Rb.
+        base_radius: f64,
+    },
+    /// A polygon whose sides are not an odd number.
+    Sides {
+        /// How many it has.
+        found: f64,
+        /// The most it may have.
+        most: f64,
+    },
+    /// A base radius so small that the arcs about the corners would turn inside out.
+    SharpArcs {
+        /// Rb.
+        found: f64,
+        /// The least there may be, with sharp corners.
+        least: f64,
+        /// Half the breadth, which it must stay below.
+        half: f64,
+    },
+    /// A second cam that has no room at that distance.
+    TooClose {
+        /// The distance.
+        found: f64,
+        /// It must be more than this.
+        least: f64,
     },
     /// The face cannot touch the base circle from a pivot so near.
     FaceOutOfReach {

@@ -3,10 +3,15 @@
 use crate::data;
 use crate::design::{default_of, motion_and_contact};
 use crate::limits::MAX_SEGMENTS;
-use crate::write::{FORMAT, KIND, ROTATIONS};
-use crate::{Design, DesignError, Kind, LengthUnit, Path, Problem, SegmentDesign, Speed, SpeedUnit, json};
+use crate::write::{FORMAT, ROTATIONS};
+use crate::{
+    BreadthGenerator, CamKind, Conjugate, Design, DesignError, Kind, LengthUnit, Path, Problem, SegmentDesign, Speed,
+    SpeedUnit, json,
+};
 use levalab_core::law::MAX_LAW_PARAMETERS;
-use levalab_core::{Cam, FOLLOWERS, FollowerKind, LAWS, Law, MAX_FOLLOWER_PARAMETERS, Parameter};
+use levalab_core::{
+    Cam, FOLLOWERS, FollowerKind, Generator, LAWS, Law, MAX_FOLLOWER_PARAMETERS, MAX_SIDES, Parameter, Tie,
+};
 use serde_json::{Map, Value};
 
 impl Design {
@@ -47,42 +52,114 @@ impl Design {
     }
 }
 
+/// The fields of a design; the last of them has no place beside a ready-made motion.
+const FIELDS: [&str; 8] = ["format", "title", "length_unit", "speed", "cam", "follower", "conjugate", "segments"];
+
 fn read(value: &Value) -> Result<Design, DesignError> {
     let file = Object::any(value, Path::default())?;
     file.word("format", &[FORMAT])?;
-    file.only(&["format", "title", "length_unit", "speed", "cam", "follower", "segments"])?;
+    file.only(&FIELDS)?;
     let units = LengthUnit::ALL.map(LengthUnit::symbol);
     let length_unit = match file.fields.contains_key("length_unit") {
         true => LengthUnit::ALL[file.word("length_unit", &units)?],
         false => LengthUnit::default(),
     };
     let cam = file.object("cam")?;
-    cam.word("kind", &[KIND])?;
-    cam.only(&["kind", "rotation", "base_radius"])?;
+    let kind = read_kind(&cam)?;
+    let ready = kind.generator().is_some();
+    if ready {
+        file.only(&FIELDS[..FIELDS.len() - 1])?;
+    }
     let rotation = match cam.fields.contains_key("rotation") {
         true => ROTATIONS[cam.word("rotation", &ROTATIONS.map(|(word, _)| word))?].1,
         false => ROTATIONS[0].1,
     };
     let (follower, values) = read_follower(&file.object("follower")?)?;
-    Ok(Design {
+    let mut design = Design {
         title: file.optional("title").map_or(Ok(String::new()), |title| title.text())?,
         length_unit,
-        speed: read_speed(&file)?,
+        speed: read_speed(&file, kind, length_unit)?,
+        kind,
         rotation,
-        base_radius: cam.required("base_radius")?.number()?,
+        base_radius: if kind.travel().is_some() { 0.0 } else { cam.required("base_radius")?.number()? },
         follower,
         values,
-        segments: read_segments(&file)?,
+        segments: if ready { Vec::new() } else { read_segments(&file)? },
+        conjugate: None,
+    };
+    if file.fields.contains_key("conjugate") {
+        design.conjugate = Some(read_conjugate(&file.object("conjugate")?, &design)?);
+    }
+    Ok(design)
+}
+
+fn read_kind(cam: &Object) -> Result<CamKind, DesignError> {
+    Ok(match cam.word("kind", &CamKind::WORDS)? {
+        0 | 1 => {
+            cam.only(&["kind", "rotation", "base_radius"])?;
+            if cam.word("kind", &CamKind::WORDS)? == 0 { CamKind::Rotating } else { CamKind::Grooved }
+        }
+        2 => {
+            let generator = cam.word("generator", &BreadthGenerator::WORDS)?;
+            let known = ["kind", "rotation", "base_radius", "breadth", "generator", "sides"];
+            cam.only(&known[..known.len() - usize::from(generator != 1)])?;
+            let generator = match generator {
+                0 => BreadthGenerator::Ready(Generator::Harmonic),
+                1 => BreadthGenerator::Ready(Generator::CircularArc { sides: read_sides(&cam.required("sides")?)? }),
+                _ => BreadthGenerator::Mirror,
+            };
+            CamKind::ConstantBreadth { breadth: cam.required("breadth")?.number()?, generator }
+        }
+        _ => {
+            cam.only(&["kind", "length"])?;
+            CamKind::Translating { length: cam.required("length")?.number()? }
+        }
     })
 }
 
-fn read_speed(file: &Object) -> Result<Speed, DesignError> {
+/// A count of sides; what is not one is refused where the sides of all polygons are.
+fn read_sides(field: &Field) -> Result<u32, DesignError> {
+    let found = field.number()?;
+    let whole = found.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&found);
+    let problem = Problem::Sides { found, most: f64::from(MAX_SIDES) };
+    if whole { Ok(found as u32) } else { Err(DesignError { path: field.path.clone(), problem }) }
+}
+
+/// What ties the second element to the first: one of the fields that the follower allows.
+fn read_conjugate(pair: &Object, design: &Design) -> Result<Conjugate, DesignError> {
+    let ties = Conjugate::tie_keys(design);
+    let radius_key = Conjugate::radius_key(design);
+    let known: Vec<&'static str> = ties.iter().copied().chain(radius_key).collect();
+    pair.only(&known)?;
+    let given: Vec<&'static str> = ties.iter().copied().filter(|key| pair.fields.contains_key(*key)).collect();
+    let key = given.first().copied().unwrap_or(ties[0]);
+    if let [_, second, ..] = given[..] {
+        let problem = Problem::OneOf { expected: ties.to_vec() };
+        return Err(DesignError { path: pair.path.join(second), problem });
+    }
+    let value = pair.required(key)?.number()?;
+    let tie = match key {
+        "distance" => Tie::Distance(value),
+        "angle" => Tie::Angle(value),
+        _ => Tie::BaseRadius(value),
+    };
+    let radius = radius_key.and_then(|key| pair.optional(key)).map(|field| field.number()).transpose()?;
+    Ok(Conjugate { tie, radius })
+}
+
+fn read_speed(file: &Object, kind: CamKind, length_unit: LengthUnit) -> Result<Speed, DesignError> {
+    let travels = kind.travel().is_some();
     if !file.fields.contains_key("speed") {
-        return Ok(Speed::default());
+        let unit = if travels { SpeedUnit::LengthPerSecond } else { SpeedUnit::default() };
+        return Ok(Speed { unit, ..Speed::default() });
     }
     let speed = file.object("speed")?;
     speed.only(&["value", "unit"])?;
-    let unit = SpeedUnit::ALL[speed.word("unit", &SpeedUnit::ALL.map(SpeedUnit::symbol))?];
+    if travels {
+        speed.word("unit", &[length_unit.per_second()])?;
+        return Ok(Speed { value: speed.required("value")?.number()?, unit: SpeedUnit::LengthPerSecond });
+    }
+    let unit = SpeedUnit::ALL[speed.word("unit", &SpeedUnit::ALL.map(|unit| unit.symbol(length_unit)))?];
     Ok(Speed { value: speed.required("value")?.number()?, unit })
 }
 

@@ -4,7 +4,7 @@
 
 use crate::Design;
 use crate::decimal::Decimal;
-use levalab_core::{Analysis, Cam, Column, Extremes, Finding, FindingKind, Joint, Level};
+use levalab_core::{Analysis, Cam, Column, Cycle, Extremes, Finding, FindingKind, Joint, Level};
 use serde::{Serialize, Serializer};
 
 /// What an analysis says, in the units of the design.
@@ -44,7 +44,9 @@ pub struct Range {
 pub struct DesignFinding {
     /// What is wrong.
     pub kind: FindingKind,
-    /// Where it is worst, degrees.
+    /// How bad it is in this cam.
+    pub level: Level,
+    /// Where it is worst, degrees (or length of travel, as all places of a cam that travels).
     pub theta: f64,
     /// Where it begins and ends, degrees, when it is a stretch; the end is beyond 360 when it passes through 0.
     pub interval: Option<[f64; 2]>,
@@ -75,8 +77,8 @@ impl Report {
             level: analysis.level,
             findings: analysis.findings.iter().map(|finding| finding_of(design, finding)).collect(),
             summary: summary_of(design, analysis),
-            joints: cam.program.classified_joints().iter().map(joint_of).collect(),
-            borders: borders_of(design),
+            joints: analysis.joints.iter().map(|joint| joint_of(design, joint)).collect(),
+            borders: borders_of(design, cam),
         }
     }
 
@@ -94,7 +96,8 @@ pub fn column(design: &Design, analysis: &Analysis, column: Column) -> Option<Ve
     if column == Column::Theta {
         // From the count and not from the radians, so that 143° is 143.
         let steps = (values.len() - 1).max(1) as f64;
-        return Some((0..values.len()).map(|i| 360.0 * i as f64 / steps).collect());
+        let whole = design.kind.travel().unwrap_or(360.0);
+        return Some((0..values.len()).map(|i| whole * i as f64 / steps).collect());
     }
     let scale = scale_of(design, column);
     // Adding 0 makes 0 of −0.
@@ -135,6 +138,7 @@ pub(crate) fn tidy(value: f64) -> f64 {
 pub fn scale_of(design: &Design, column: Column) -> f64 {
     let degree = 1_f64.to_degrees();
     match column {
+        Column::Theta if design.kind.travel().is_some() => 1.0,
         Column::Theta | Column::PressureAngle => degree,
         Column::S | Column::V | Column::A | Column::J if design.is_oscillating() => degree,
         _ => 1.0,
@@ -155,9 +159,18 @@ fn summary_of(design: &Design, analysis: &Analysis) -> Vec<(&'static str, Range)
     ];
     let range = |column: Column, Extremes { min, min_at, max, max_at }| {
         let scale = scale_of(design, column);
-        Range { min: min * scale + 0.0, min_at: degrees(min_at), max: max * scale + 0.0, max_at: degrees(max_at) }
+        Range {
+            min: min * scale + 0.0,
+            min_at: design.place(min_at),
+            max: max * scale + 0.0,
+            max_at: design.place(max_at),
+        }
     };
-    all.into_iter().filter_map(|(column, extremes)| Some((column.name(), range(column, extremes?)))).collect()
+    let mut ranges: Vec<(&'static str, Range)> =
+        all.into_iter().filter_map(|(column, extremes)| Some((column.name(), range(column, extremes?)))).collect();
+    // A breadth is a length, like x.
+    ranges.extend(summary.breadth.map(|extremes| ("breadth", range(Column::X, extremes))));
+    ranges
 }
 
 fn finding_of(design: &Design, finding: &Finding) -> DesignFinding {
@@ -166,6 +179,7 @@ fn finding_of(design: &Design, finding: &Finding) -> DesignFinding {
         FindingKind::PressureAngle => Some(scale_of(design, Column::PressureAngle)),
         FindingKind::Cusp
         | FindingKind::Undercut
+        | FindingKind::GrooveUndercut
         | FindingKind::ConcaveFlat
         | FindingKind::ArmCutsCam
         | FindingKind::PivotInsideCam
@@ -176,22 +190,34 @@ fn finding_of(design: &Design, finding: &Finding) -> DesignFinding {
     let measured = |value: f64| scale.map(|scale| value * scale + 0.0).filter(|value| value.is_finite());
     DesignFinding {
         kind: finding.kind,
-        theta: degrees(finding.theta),
-        interval: finding.interval.map(|(from, to)| [degrees(from), degrees(to)]),
-        places: finding.places.iter().copied().map(degrees).collect(),
+        level: finding.level,
+        theta: design.place(finding.theta),
+        interval: finding.interval.map(|(from, to)| [design.place(from), design.place(to)]),
+        places: finding.places.iter().map(|&theta| design.place(theta)).collect(),
         value: measured(finding.value),
         // A limit of 30° is 30, and not what its radians come to.
         limit: measured(finding.limit).map(tidy),
     }
 }
 
-fn joint_of(joint: &Joint) -> DesignJoint {
+fn joint_of(design: &Design, joint: &Joint) -> DesignJoint {
     const ORDERS: [Column; 4] = [Column::S, Column::V, Column::A, Column::J];
     let jump = joint.jump.and_then(|order| ORDERS.get(usize::from(order)).copied());
-    DesignJoint { theta: degrees(joint.theta), segment: joint.segment, jump }
+    DesignJoint { theta: design.place(joint.theta), segment: joint.segment, jump }
 }
 
-fn borders_of(design: &Design) -> Vec<f64> {
+impl Design {
+    /// A place of the cycle: degrees, or a length for a cam that travels.
+    #[must_use]
+    pub fn place(&self, theta: f64) -> f64 {
+        if self.kind.travel().is_some() { tidy(theta) } else { degrees(theta) }
+    }
+}
+
+fn borders_of(design: &Design, cam: &Cam) -> Vec<f64> {
+    if cam.program.cycle() == Cycle::Mirrored {
+        return cam.program.borders().iter().copied().map(degrees).collect();
+    }
     let mut theta = Decimal::default();
     let mut borders = vec![0.0];
     for segment in &design.segments {
@@ -199,7 +225,7 @@ fn borders_of(design: &Design) -> Vec<f64> {
         borders.push(theta.to_f64());
     }
     if let Some(last) = borders.last_mut() {
-        *last = 360.0;
+        *last = design.kind.whole();
     }
     borders
 }

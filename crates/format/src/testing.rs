@@ -2,9 +2,9 @@
 
 use crate::design::default_of;
 use crate::limits::MAX_SEGMENTS;
-use crate::{Design, LengthUnit, SegmentDesign, Speed, SpeedUnit};
+use crate::{BreadthGenerator, CamKind, Conjugate, Design, LengthUnit, SegmentDesign, Speed, SpeedUnit};
 use levalab_core::law::{Condition, Data, DataKind, MAX_LAW_PARAMETERS};
-use levalab_core::{FOLLOWERS, LAWS, Law, Quantity, Rotation};
+use levalab_core::{FOLLOWERS, Generator, LAWS, Law, Quantity, Rotation, Tie};
 
 /// A small generator of random numbers (SplitMix64), the same on every machine.
 #[derive(Clone, Debug)]
@@ -80,35 +80,84 @@ fn candidate(random: &mut Random) -> Design {
             (_, Some(_)) => decimals.round(size * random.between(-0.9, 0.9)),
         };
     }
+    let kind = kind(random, decimals, size);
+    let ready = kind.generator().is_some();
+    let travels = kind.travel().is_some();
+    if matches!(kind, CamKind::ConstantBreadth { .. } | CamKind::Translating { .. }) {
+        // These need the follower in line with the cam.
+        for (value, parameter) in values.iter_mut().zip(follower.parameters) {
+            *value = default_of(parameter).unwrap_or(*value);
+        }
+    }
+    let base_radius = if travels { 0.0 } else { decimals.round(size) };
+    let mut segments = if ready { Vec::new() } else { segments(random, decimals, travel, kind.whole()) };
+    if let (CamKind::ConstantBreadth { breadth, .. }, Some(last)) = (kind, segments.last_mut()) {
+        // Half a turn ends as high as the breadth asks for.
+        last.rise = tidy(last.rise + breadth - 2.0 * base_radius);
+        if last.law.is_dwell() {
+            last.law = Law::by_id("cycloidal").unwrap_or(last.law);
+        }
+    }
     Design {
         title: title(random),
         length_unit: *random.pick(&LengthUnit::ALL),
-        speed: speed(random, decimals),
-        rotation: *random.pick(&[Rotation::CounterClockwise, Rotation::Clockwise]),
-        base_radius: decimals.round(size),
+        speed: speed(random, decimals, travels),
+        kind,
+        rotation: if travels {
+            Rotation::default()
+        } else {
+            *random.pick(&[Rotation::CounterClockwise, Rotation::Clockwise])
+        },
+        base_radius,
         follower,
         values,
-        segments: segments(random, decimals, travel),
+        segments,
+        conjugate: random.once_in(5).then(|| second(random, decimals, size, oscillating)),
     }
 }
 
-fn speed(random: &mut Random, decimals: Decimals) -> Speed {
-    if random.once_in(2) {
-        return Speed::default();
+fn kind(random: &mut Random, decimals: Decimals, size: f64) -> CamKind {
+    let breadth = |random: &mut Random, generator| {
+        let breadth = tidy(2.0 * decimals.round(size) + decimals.round(size * random.between(0.05, 0.6)));
+        CamKind::ConstantBreadth { breadth, generator }
+    };
+    match random.below(10) {
+        0 => CamKind::Grooved,
+        1 => CamKind::Translating { length: decimals.round(size * random.between(1.0, 5.0)) },
+        2 => breadth(random, BreadthGenerator::Ready(Generator::Harmonic)),
+        3 => {
+            let sides = 3 + 2 * random.below(15) as u32;
+            breadth(random, BreadthGenerator::Ready(Generator::CircularArc { sides }))
+        }
+        4 => breadth(random, BreadthGenerator::Mirror),
+        _ => CamKind::Rotating,
     }
-    Speed { value: decimals.round(10_f64.powf(random.between(-1.0, 4.0))), unit: *random.pick(&SpeedUnit::ALL) }
 }
 
-fn segments(random: &mut Random, decimals: Decimals, travel: f64) -> Vec<SegmentDesign> {
+fn second(random: &mut Random, decimals: Decimals, size: f64, oscillating: bool) -> Conjugate {
+    let tie = match (oscillating, random.once_in(2)) {
+        (false, _) => Tie::Distance(decimals.round(size * random.between(2.0, 5.0))),
+        (true, false) => Tie::Angle(decimals.round(random.between(40.0, 150.0))),
+        (true, true) => Tie::BaseRadius(decimals.round(size * random.between(0.5, 1.5))),
+    };
+    Conjugate { tie, radius: random.once_in(3).then(|| decimals.round(size * random.between(0.1, 0.5))) }
+}
+
+fn speed(random: &mut Random, decimals: Decimals, travels: bool) -> Speed {
+    let value = if random.once_in(2) { 1.0 } else { decimals.round(10_f64.powf(random.between(-1.0, 4.0))) };
+    Speed { value, unit: if travels { SpeedUnit::LengthPerSecond } else { *random.pick(&SpeedUnit::ALL) } }
+}
+
+fn segments(random: &mut Random, decimals: Decimals, travel: f64, cycle: f64) -> Vec<SegmentDesign> {
     let count = if random.once_in(20) { 1 + random.below(MAX_SEGMENTS) } else { 2 + random.below(11) };
     let weights: Vec<f64> = (0..count).map(|_| random.between(0.2, 1.0)).collect();
     let whole: f64 = weights.iter().sum();
-    let mut left = 360.0;
+    let mut left = cycle;
     let mut height = 0.0;
     let mut segments: Vec<SegmentDesign> = Vec::with_capacity(count);
     for (k, weight) in weights.iter().enumerate() {
         let last = k + 1 == count;
-        let beta = if last { left } else { decimals.round(360.0 * weight / whole) };
+        let beta = if last { left } else { decimals.round(cycle * weight / whole) };
         left = tidy(left - beta);
         let target = if last || random.once_in(4) { 0.0 } else { decimals.round(travel * random.unit()) };
         let law = law(random, target == height, segments.last().map(|segment| segment.law));
@@ -207,15 +256,19 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn random_designs_cover_every_law_and_follower() {
+    fn random_designs_cover_every_law_follower_and_kind_of_cam() {
         let mut random = Random::new(1);
         let (mut laws, mut followers, mut many) = (HashSet::new(), HashSet::new(), false);
+        let (mut kinds, mut ties) = (HashSet::new(), HashSet::new());
         for _ in 0..2000 {
             let design = design(&mut random);
             laws.extend(design.segments.iter().map(|segment| segment.law.id));
             followers.insert(design.follower.id);
             many |= design.segments.len() > 40;
+            kinds.insert(design.kind.word());
+            ties.extend(design.conjugate.map(|pair| pair.tie.key()));
         }
+        assert_eq!((kinds.len(), ties.len()), (CamKind::WORDS.len(), 3));
         assert_eq!((laws.len(), followers.len(), many), (LAWS.len(), FOLLOWERS.len(), true));
     }
 }

@@ -26,6 +26,8 @@ pub enum SpeedUnit {
     RadiansPerSecond,
     /// Revolutions per second.
     RevolutionsPerSecond,
+    /// Lengths per second, in the unit of the design: for a cam that travels, and for no other.
+    LengthPerSecond,
 }
 
 impl LengthUnit {
@@ -44,26 +46,40 @@ impl LengthUnit {
     }
 }
 
+impl LengthUnit {
+    /// The unit of speed of a cam that travels, which is also its word in design files.
+    #[must_use]
+    pub fn per_second(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm/s",
+            Self::Centimetre => "cm/s",
+            Self::Metre => "m/s",
+            Self::Inch => "in/s",
+        }
+    }
+}
+
 impl SpeedUnit {
-    /// Every unit of speed, in the order of a menu.
+    /// Every unit in which a cam turns, in the order of a menu.
     pub const ALL: [Self; 3] = [Self::RevolutionsPerMinute, Self::RadiansPerSecond, Self::RevolutionsPerSecond];
 
-    /// Its symbol, which is also its word in design files.
+    /// Its symbol beside lengths in that unit, which is also its word in design files.
     #[must_use]
-    pub fn symbol(self) -> &'static str {
+    pub fn symbol(self, length: LengthUnit) -> &'static str {
         match self {
             Self::RevolutionsPerMinute => "rpm",
             Self::RadiansPerSecond => "rad/s",
             Self::RevolutionsPerSecond => "rev/s",
+            Self::LengthPerSecond => length.per_second(),
         }
     }
 
-    /// A speed in this unit as ω, rad/s.
+    /// A speed in this unit as ω, rad/s (or length per second).
     #[must_use]
     pub fn omega(self, value: f64) -> f64 {
         match self {
             Self::RevolutionsPerMinute => value * (TAU / 60.0),
-            Self::RadiansPerSecond => value,
+            Self::RadiansPerSecond | Self::LengthPerSecond => value,
             Self::RevolutionsPerSecond => value * TAU,
         }
     }

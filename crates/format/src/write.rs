@@ -2,8 +2,8 @@
 
 use crate::data;
 use crate::design::motion_and_contact;
-use crate::{Design, SegmentDesign};
-use levalab_core::{Parameter, Rotation};
+use crate::{BreadthGenerator, CamKind, Conjugate, Design, SegmentDesign};
+use levalab_core::{Generator, Parameter, Rotation};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
@@ -12,9 +12,6 @@ use std::io::{self, Write};
 
 /// The version of the design file, its first field.
 pub const FORMAT: &str = "levalab/1";
-
-/// The kind of cam that a design is.
-pub(crate) const KIND: &str = "rotating";
 
 /// The words for the senses of rotation, the default first.
 pub(crate) const ROTATIONS: [(&str, Rotation); 2] =
@@ -44,27 +41,45 @@ impl Design {
 impl Serialize for Design {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let segments: Vec<Entries> = self.segments.iter().map(segment_entries).collect();
-        let mut file = serializer.serialize_map(Some(7))?;
+        let mut file = serializer.serialize_map(None)?;
         file.serialize_entry("format", FORMAT)?;
         file.serialize_entry("title", &self.title)?;
         file.serialize_entry("length_unit", self.length_unit.symbol())?;
         file.serialize_entry("speed", &self.speed_entries())?;
         file.serialize_entry("cam", &self.cam_entries())?;
         file.serialize_entry("follower", &self.follower_entries())?;
-        file.serialize_entry("segments", &segments)?;
+        if let Some(pair) = &self.conjugate {
+            let radius = Conjugate::radius_key(self).zip(pair.radius).map(|(key, radius)| (key, number(radius)));
+            let tie = (pair.tie.key(), number(pair.tie.value()));
+            file.serialize_entry("conjugate", &Entries(std::iter::once(tie).chain(radius).collect()))?;
+        }
+        if self.kind.generator().is_none() {
+            file.serialize_entry("segments", &segments)?;
+        }
         file.end()
     }
 }
 
 impl Design {
     fn speed_entries(&self) -> Entries {
-        Entries(vec![("value", number(self.speed.value)), ("unit", self.speed.unit.symbol().into())])
+        Entries(vec![("value", number(self.speed.value)), ("unit", self.speed.unit.symbol(self.length_unit).into())])
     }
 
     fn cam_entries(&self) -> Entries {
         let rotation = ROTATIONS.iter().find(|entry| entry.1 == self.rotation).unwrap_or(&ROTATIONS[0]).0;
-        let base_radius = number(self.base_radius);
-        Entries(vec![("kind", KIND.into()), ("rotation", rotation.into()), ("base_radius", base_radius)])
+        let mut entries: Vec<(&'static str, Value)> = vec![("kind", self.kind.word().into())];
+        if let CamKind::Translating { length } = self.kind {
+            entries.push(("length", number(length)));
+            return Entries(entries);
+        }
+        entries.extend([("rotation", rotation.into()), ("base_radius", number(self.base_radius))]);
+        if let CamKind::ConstantBreadth { breadth, generator } = self.kind {
+            entries.extend([("breadth", number(breadth)), ("generator", generator.word().into())]);
+            if let BreadthGenerator::Ready(Generator::CircularArc { sides }) = generator {
+                entries.push(("sides", sides.into()));
+            }
+        }
+        Entries(entries)
     }
 
     fn follower_entries(&self) -> Entries {

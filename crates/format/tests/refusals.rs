@@ -99,7 +99,7 @@ fn a_word_that_is_no_choice_is_told_with_the_choices() {
         ("/format", "levalab/2", "format"),
         ("/length_unit", "ft", "length_unit"),
         ("/speed/unit", "Hz", "speed.unit"),
-        ("/cam/kind", "constant-breadth", "cam.kind"),
+        ("/cam/kind", "conical", "cam.kind"),
         ("/cam/rotation", "left", "cam.rotation"),
         ("/follower/motion", "rotating", "follower.motion"),
         ("/follower/contact", "Roller", "follower.contact"),
@@ -132,7 +132,9 @@ fn numbers_out_of_range_are_told_with_the_range() {
 
 #[test]
 fn sums_are_those_of_the_decimals() {
-    check("/segments/1/beta", json!(41), "segments", |problem| *problem == Problem::Turn { found: 361.0 });
+    check("/segments/1/beta", json!(41), "segments", |problem| {
+        *problem == Problem::Turn { found: 361.0, whole: 360.0, measure: Measure::Degrees }
+    });
     check("/segments/1/beta", json!(40.000_000_002), "segments", |problem| matches!(problem, Problem::Turn { .. }));
     check("/segments/6/rise", json!(-9), "segments", |problem| {
         *problem == Problem::Closing { found: 1.0, measure: Measure::Length }

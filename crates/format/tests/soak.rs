@@ -2,7 +2,7 @@
 //!
 //! `LEVALAB_SOAK` says how many of each; `cargo xtask soak` runs it optimised. The seed is fixed, so a failure can be repeated.
 
-use levalab_core::{Analysis, Finding};
+use levalab_core::{Analysis, Cam, Finding};
 use levalab_format::link::{self, LinkError};
 use levalab_format::report::{Report, columns};
 use levalab_format::testing::{self, Random};
@@ -38,13 +38,20 @@ fn live(design: &Design, random: &mut Random) {
 
 fn analyse(design: &Design, and_cure: bool) {
     let cam = design.cam().unwrap_or_else(|error| panic!("{error}\n{}", design.to_json()));
-    let analysis = Analysis::of(&cam, STEPS);
+    let second = design.second(&cam).unwrap_or_else(|error| panic!("{error}\n{}", design.to_json()));
+    for cam in std::iter::once(cam).chain(second) {
+        analyse_cam(design, &cam, and_cure);
+    }
+}
+
+fn analyse_cam(design: &Design, cam: &Cam, and_cure: bool) {
+    let analysis = Analysis::of(cam, STEPS);
     let told = || format!("\n{}", design.to_json());
     for (name, values) in columns(design, &analysis) {
         assert_eq!(values.len(), STEPS + 1);
         assert!(values.iter().all(|value| !value.is_nan()), "{name} has no NaN{}", told());
     }
-    let report = Report::of(design, &cam, &analysis);
+    let report = Report::of(design, cam, &analysis);
     for (name, range) in &report.summary {
         let figures = [range.min, range.min_at, range.max, range.max_at];
         assert!(figures.iter().all(|figure| !figure.is_nan()), "{name} {range:?}{}", told());
@@ -53,7 +60,7 @@ fn analyse(design: &Design, and_cure: bool) {
     let figures = |finding: &Finding| [finding.theta, finding.value, finding.limit];
     assert!(analysis.findings.iter().flat_map(figures).all(f64::is_finite), "{:?}{}", analysis.findings, told());
     if and_cure {
-        assert_eq!(cures(design, &cam, &analysis).len(), analysis.findings.len());
+        assert_eq!(cures(design, cam, &analysis).len(), analysis.findings.len());
     }
 }
 

@@ -72,7 +72,7 @@ impl Catalogue {
             laws: LAWS.iter().map(|law| LawEntry::of(law)).collect(),
             followers: FOLLOWERS.iter().map(|kind| FollowerEntry::of(kind)).collect(),
             length_units: LengthUnit::ALL.map(LengthUnit::symbol).into(),
-            speed_units: SpeedUnit::ALL.map(SpeedUnit::symbol).into(),
+            speed_units: SpeedUnit::ALL.map(|unit| unit.symbol(LengthUnit::default())).into(),
             examples: EXAMPLES.iter().map(|&(id, file)| Example { id, file }).collect(),
             limits: Limits { segments: MAX_SEGMENTS, title: limits::MAX_TITLE, link: limits::MAX_LINK_MADE },
         }
@@ -121,7 +121,7 @@ impl ParameterEntry {
 /// Acceleration at 49 even steps of a unit rise, scaled to ±1.
 fn thumbnail(law: &Law) -> Vec<f64> {
     const STEPS: usize = 48;
-    let arguments = Arguments { parameters: law.default_parameters(), falling: false };
+    let arguments = Arguments { parameters: law.default_parameters(), falling: false, beta: 1.0 };
     let Ok(pieces) = law.unit(arguments) else { return Vec::new() };
     let at =
         |x: f64| pieces.iter().find(|piece| x < piece.until).or(pieces.last()).map_or(0.0, |piece| piece.curve.at(x).a);

@@ -113,7 +113,7 @@ impl PageReport {
                 .summary
                 .least_convex
                 .filter(|place| place.0.is_finite())
-                .map(|(value, at)| Place { value, at: degrees(at) }),
+                .map(|(value, at)| Place { value, at: design.place(at) }),
             joints: report
                 .joints
                 .iter()
@@ -163,7 +163,7 @@ impl Verdict {
         let Current { design, report, .. } = current;
         let findings = report.findings.iter().map(|finding| PageFinding {
             code: finding.kind.code(),
-            severity: level_name(finding.kind.severity()),
+            severity: level_name(finding.level),
             theta: finding.theta,
             interval: finding.interval,
             places: finding.places.clone(),

@@ -3,10 +3,10 @@
 use crate::data_en;
 use crate::voice::{Figures, FileProblem, Voice, by_law, measured, row, worst_kinds};
 use crate::{Language, Units};
-use levalab_core::{Column, FindingKind, Level};
+use levalab_core::{Column, FindingKind, Level, Tie};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
-use levalab_format::{Kind, Problem, Remedy, quoted};
+use levalab_format::{Kind, Measure, Problem, Remedy, quoted};
 
 pub(crate) struct English;
 
@@ -35,6 +35,7 @@ impl Voice for English {
             "polynomial-5" => "5th-degree polynomial",
             "polynomial-7" => "7th-degree polynomial",
             "polynomial" => "polynomial through conditions",
+            "circular-arc" => "circular arc",
             _ => return None,
         })
     }
@@ -51,9 +52,27 @@ impl Voice for English {
         })
     }
 
+    fn cam_kind(&self, word: &str) -> Option<&'static str> {
+        Some(match word {
+            "rotating" => "plate cam",
+            "grooved" => "grooved cam",
+            "constant-breadth" => "cam of constant breadth",
+            "translating" => "translating cam",
+            _ => return None,
+        })
+    }
+
+    fn second_cam(&self) -> &'static str {
+        "Second cam"
+    }
+
     fn headline(&self, report: &Report) -> String {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {
+            Level::Acceptable if joints > 0 => {
+                "Acceptable: the yoke holds the cam on both sides, so that jumps of the acceleration do not part them."
+                    .to_owned()
+            }
             Level::Acceptable => {
                 "Acceptable: the motion is smooth up to the jerk, and the profile is sound.".to_owned()
             }
@@ -81,6 +100,14 @@ impl Voice for English {
                 format!("The displacement {where_and_how_much}: the follower would be in two places at once.")
             }
             FindingKind::Jump(1) => format!("The velocity {where_and_how_much}: an infinite acceleration, a blow."),
+            FindingKind::Jump(2) if finding.level == Level::Acceptable => {
+                format!(
+                    "The acceleration {where_and_how_much}; tolerated here alone, because the yoke touches both sides and cannot lift off."
+                )
+            }
+            FindingKind::Jump(_) if finding.level == Level::Acceptable => {
+                format!("The jerk {where_and_how_much}; tolerated in a cam that is held on both sides.")
+            }
             FindingKind::Jump(2) => {
                 format!(
                     "The acceleration {where_and_how_much}: the forces change at a stroke and the follower vibrates."
@@ -105,6 +132,11 @@ impl Voice for English {
             FindingKind::Undercut => {
                 format!(
                     "{around} the profile is undercut: the radius of curvature would fall to {value} at {at}, and a roller of this size cannot follow."
+                )
+            }
+            FindingKind::GrooveUndercut => {
+                format!(
+                    "{around} the outer wall of the groove is undercut: the pitch curve is hollow with a radius of {value} at {at}, less than the roller's {limit}."
                 )
             }
             FindingKind::ConcaveFlat => {
@@ -146,6 +178,18 @@ impl Voice for English {
             Remedy::BaseRadius { value, grows } => {
                 let sign = if *grows { '≥' } else { '=' };
                 format!("With Rb {sign} {} {}.", units.length(*value, EN), passing(finding.kind, units))
+            }
+            Remedy::Travel { value } => {
+                format!("With a travel of {} {}.", units.length(*value, EN), passing(finding.kind, units))
+            }
+            Remedy::Tie { tie, grows } => {
+                let sign = if *grows { '≥' } else { '≤' };
+                let what = match tie {
+                    Tie::Distance(value) => format!("a distance {sign} {}", units.length(*value, EN)),
+                    Tie::Angle(value) => format!("an angle {sign} {} between the arms", EN.angle_exact(*value)),
+                    Tie::BaseRadius(value) => format!("a second base radius {sign} {}", units.length(*value, EN)),
+                };
+                format!("With {what} {}.", passing(finding.kind, units))
             }
             Remedy::Eccentricity { value, pressure_angle } => {
                 let (e, angle) = (units.length(*value, EN), EN.angle(*pressure_angle));
@@ -228,11 +272,21 @@ impl Voice for English {
                     next + 1
                 )
             }
-            Problem::Turn { found } => {
-                let missing = 360.0 - found;
-                let (sum, difference) = (EN.exact(*found), EN.exact(missing.abs()));
-                let rest = if missing > 0.0 { "too few" } else { "too many" };
-                format!("The segments add up to {sum}°, {difference}° {rest} for a whole turn.")
+            Problem::Turn { found, whole, measure } => {
+                let missing = whole - found;
+                let (sum, difference) = (measured(*found, *measure, EN), measured(missing.abs(), *measure, EN));
+                let rest = match (measure, missing > 0.0) {
+                    (Measure::Degrees, true) => "too few",
+                    (Measure::Degrees, false) => "too many",
+                    (_, true) => "too short",
+                    (_, false) => "too long",
+                };
+                let cycle = match (measure, *whole < 360.0) {
+                    (Measure::Degrees, false) => "a whole turn".to_owned(),
+                    (Measure::Degrees, true) => "half a turn, which its image completes".to_owned(),
+                    _ => format!("a travel of {}", EN.exact(*whole)),
+                };
+                format!("The segments add up to {sum}, {difference} {rest} for {cycle}.")
             }
             Problem::Closing { found, measure } => {
                 let height = measured(*found, *measure, EN);
@@ -251,6 +305,43 @@ impl Voice for English {
                     "A pivot at {m}, an arm of {arm} and a prime radius of {radius} make no triangle: each must be less than the other two together."
                 )
             }
+            Problem::Unsuited { kind } => {
+                format!("It has no place on a {}.", crate::cam_kind(EN, kind))
+            }
+            Problem::OffCentre { found, measure, kind } => {
+                format!(
+                    "On a {} the follower must be in line: this must be 0, and it is {}.",
+                    crate::cam_kind(EN, kind),
+                    measured(*found, *measure, EN)
+                )
+            }
+            Problem::Breadth { found, base_radius } => {
+                let (breadth, twice) = (EN.exact(*found), EN.exact(2.0 * base_radius));
+                format!(
+                    "A breadth of {breadth} leaves no travel: breadth = 2·Rb + travel, so it must be more than {twice}."
+                )
+            }
+            Problem::BreadthTravel { found, travel, breadth, base_radius } => {
+                let [found, travel, breadth, radius] = [found, travel, breadth, base_radius].map(|v| EN.exact(*v));
+                format!(
+                    "Over half a turn the follower must rise by breadth − 2·Rb = {breadth} − 2·{radius} = {travel}, and the segments rise by {found}."
+                )
+            }
+            Problem::Sides { found, most } => {
+                let (found, most) = (EN.exact(*found), EN.exact(*most));
+                format!("A polygon of arcs has an odd number of sides from 3 to {most}, and this one has {found}.")
+            }
+            Problem::SharpArcs { found, least, half } => {
+                let (found, least, half) = (EN.exact(*found), EN.number(*least), EN.exact(*half));
+                format!(
+                    "A base radius of {found} is too small for these arcs: it must be from {least} (sharp corners) to less than {half}, half the breadth."
+                )
+            }
+            Problem::TooClose { found, least } => {
+                let (found, least) = (EN.exact(*found), EN.number(*least));
+                format!("At a distance of {found} there is no room for a second cam: it must be more than {least}.")
+            }
+            Problem::OneOf { expected } => format!("Only one of {} can be given.", row_of(expected)),
             Problem::FaceOutOfReach { pivot_distance, needed } => {
                 let (m, needed) = (EN.exact(*pivot_distance), EN.exact(*needed));
                 format!("From a pivot at {m} the face cannot touch the base circle: it must be at more than {needed}.")
@@ -306,6 +397,7 @@ fn reason(kind: FindingKind) -> &'static str {
         FindingKind::PressureAngle => "the pressure angle is too large",
         FindingKind::Cusp => "the profile has a cusp",
         FindingKind::Undercut => "the profile is undercut",
+        FindingKind::GrooveUndercut => "the outer wall of the groove is undercut",
         FindingKind::ConcaveFlat => "the flat face cannot follow the profile",
         FindingKind::Doubtful => "the conditions hardly determine a curve",
         FindingKind::BelowBase => "the follower goes below the base circle",
@@ -322,6 +414,7 @@ fn passing(kind: FindingKind, units: Units) -> &'static str {
     match kind {
         FindingKind::PressureAngle => "it stays below",
         FindingKind::Cusp | FindingKind::Undercut => "the profile has neither cusps nor undercuts",
+        FindingKind::GrooveUndercut => "neither wall of the groove is undercut",
         FindingKind::ConcaveFlat => "the flat face touches the whole profile",
         FindingKind::SelfCrossing => "the profile no longer crosses itself",
         FindingKind::ArmCutsCam if units.oscillating => "the arm clears the cam",

@@ -3,10 +3,10 @@
 use crate::data_es;
 use crate::voice::{Figures, FileProblem, Voice, by_law, measured, row, worst_kinds};
 use crate::{Language, Units};
-use levalab_core::{Column, FindingKind, Level};
+use levalab_core::{Column, FindingKind, Level, Tie};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
-use levalab_format::{Kind, Problem, Remedy, quoted};
+use levalab_format::{Kind, Measure, Problem, Remedy, quoted};
 
 pub(crate) struct Spanish;
 
@@ -35,6 +35,7 @@ impl Voice for Spanish {
             "polynomial-5" => "polinómica de 5.º grado",
             "polynomial-7" => "polinómica de 7.º grado",
             "polynomial" => "polinómica por condiciones",
+            "circular-arc" => "de arco de circunferencia",
             _ => return None,
         })
     }
@@ -51,9 +52,27 @@ impl Voice for Spanish {
         })
     }
 
+    fn cam_kind(&self, word: &str) -> Option<&'static str> {
+        Some(match word {
+            "rotating" => "leva de placa",
+            "grooved" => "leva de ranura",
+            "constant-breadth" => "leva de anchura constante",
+            "translating" => "leva de traslación",
+            _ => return None,
+        })
+    }
+
+    fn second_cam(&self) -> &'static str {
+        "Segunda leva"
+    }
+
     fn headline(&self, report: &Report) -> String {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {
+            Level::Acceptable if joints > 0 => {
+                "Aceptable: el marco sujeta la leva por los dos lados y los saltos de aceleración no los separan."
+                    .to_owned()
+            }
             Level::Acceptable => {
                 "Aceptable: el movimiento es suave hasta la sobreaceleración y el perfil es correcto.".to_owned()
             }
@@ -85,6 +104,14 @@ impl Voice for Spanish {
                 format!("El desplazamiento {where_and_how_much}: el seguidor tendría que estar en dos sitios a la vez.")
             }
             FindingKind::Jump(1) => format!("La velocidad {where_and_how_much}: aceleración infinita, un golpe."),
+            FindingKind::Jump(2) if finding.level == Level::Acceptable => {
+                format!(
+                    "La aceleración {where_and_how_much}; solo aquí se tolera, porque el marco toca los dos lados y no puede despegarse."
+                )
+            }
+            FindingKind::Jump(_) if finding.level == Level::Acceptable => {
+                format!("La sobreaceleración {where_and_how_much}; se tolera en una leva sujeta por los dos lados.")
+            }
             FindingKind::Jump(2) => {
                 format!("La aceleración {where_and_how_much}: las fuerzas cambian de golpe y el seguidor vibra.")
             }
@@ -107,6 +134,11 @@ impl Voice for Spanish {
             FindingKind::Undercut => {
                 format!(
                     "{around} hay rebaje (socavación): el radio de curvatura bajaría a {value} en {at} y un rodillo de este tamaño no puede seguir el perfil."
+                )
+            }
+            FindingKind::GrooveUndercut => {
+                format!(
+                    "{around} hay rebaje (socavación) en la pared exterior de la ranura: la curva primitiva es cóncava con radio {value} en {at}, menor que el del rodillo, {limit}."
                 )
             }
             FindingKind::ConcaveFlat => {
@@ -150,6 +182,18 @@ impl Voice for Spanish {
             Remedy::BaseRadius { value, grows } => {
                 let sign = if *grows { '≥' } else { '=' };
                 format!("Con Rb {sign} {} {}.", units.length(*value, ES), passing(finding.kind, units))
+            }
+            Remedy::Travel { value } => {
+                format!("Con una carrera de {} {}.", units.length(*value, ES), passing(finding.kind, units))
+            }
+            Remedy::Tie { tie, grows } => {
+                let sign = if *grows { '≥' } else { '≤' };
+                let what = match tie {
+                    Tie::Distance(value) => format!("una distancia {sign} {}", units.length(*value, ES)),
+                    Tie::Angle(value) => format!("un ángulo {sign} {} entre los brazos", ES.angle_exact(*value)),
+                    Tie::BaseRadius(value) => format!("un segundo radio base {sign} {}", units.length(*value, ES)),
+                };
+                format!("Con {what} {}.", passing(finding.kind, units))
             }
             Remedy::Eccentricity { value, pressure_angle } => {
                 let (e, angle) = (units.length(*value, ES), ES.angle(*pressure_angle));
@@ -230,16 +274,21 @@ impl Voice for Spanish {
                     next + 1
                 )
             }
-            Problem::Turn { found } => {
-                let missing = 360.0 - found;
-                let (sum, difference) = (ES.exact(*found), ES.exact(missing.abs()));
+            Problem::Turn { found, whole, measure } => {
+                let missing = whole - found;
+                let (sum, difference) = (measured(*found, *measure, ES), measured(missing.abs(), *measure, ES));
                 let rest = match (missing > 0.0, missing.abs() == 1.0) {
                     (true, true) => "falta",
                     (true, false) => "faltan",
                     (false, true) => "sobra",
                     (false, false) => "sobran",
                 };
-                format!("Los tramos suman {sum}°: {rest} {difference}° para una vuelta completa.")
+                let cycle = match (measure, *whole < 360.0) {
+                    (Measure::Degrees, false) => "una vuelta completa".to_owned(),
+                    (Measure::Degrees, true) => "media vuelta, que su imagen completa".to_owned(),
+                    _ => format!("una carrera de {}", ES.exact(*whole)),
+                };
+                format!("Los tramos suman {sum}: {rest} {difference} para {cycle}.")
             }
             Problem::Closing { found, measure } => {
                 let height = measured(*found, *measure, ES);
@@ -265,6 +314,43 @@ impl Voice for Spanish {
                     "Una articulación a {m}, un brazo de {arm} y un radio primario de {radius} no forman un triángulo: cada uno tiene que ser menor que la suma de los otros dos."
                 )
             }
+            Problem::Unsuited { kind } => format!("No tiene sitio en una {}.", crate::cam_kind(ES, kind)),
+            Problem::OffCentre { found, measure, kind } => {
+                format!(
+                    "En una {} el seguidor tiene que estar centrado: aquí debe haber 0, y hay {}.",
+                    crate::cam_kind(ES, kind),
+                    measured(*found, *measure, ES)
+                )
+            }
+            Problem::Breadth { found, base_radius } => {
+                let (breadth, twice) = (ES.exact(*found), ES.exact(2.0 * base_radius));
+                format!(
+                    "Una anchura de {breadth} no deja carrera: anchura = 2·Rb + carrera, así que tiene que ser mayor que {twice}."
+                )
+            }
+            Problem::BreadthTravel { found, travel, breadth, base_radius } => {
+                let [found, travel, breadth, radius] = [found, travel, breadth, base_radius].map(|v| ES.exact(*v));
+                format!(
+                    "En media vuelta el seguidor tiene que subir anchura − 2·Rb = {breadth} − 2·{radius} = {travel}, y los tramos suben {found}."
+                )
+            }
+            Problem::Sides { found, most } => {
+                let (found, most) = (ES.exact(*found), ES.exact(*most));
+                format!("Un polígono de arcos tiene un número impar de lados, de 3 a {most}, y este tiene {found}.")
+            }
+            Problem::SharpArcs { found, least, half } => {
+                let (found, least, half) = (ES.exact(*found), ES.number(*least), ES.exact(*half));
+                format!(
+                    "Un radio base de {found} es demasiado pequeño para estos arcos: tiene que ser al menos {least} (vértices vivos) y menor que {half}, la mitad de la anchura."
+                )
+            }
+            Problem::TooClose { found, least } => {
+                let (found, least) = (ES.exact(*found), ES.number(*least));
+                format!(
+                    "A una distancia de {found} no hay sitio para una segunda leva: tiene que ser mayor que {least}."
+                )
+            }
+            Problem::OneOf { expected } => format!("Solo se puede dar uno de estos campos: {}.", row_of(expected)),
             Problem::FaceOutOfReach { pivot_distance, needed } => {
                 let (m, needed) = (ES.exact(*pivot_distance), ES.exact(*needed));
                 format!(
@@ -326,6 +412,7 @@ fn reason(kind: FindingKind) -> &'static str {
         FindingKind::PressureAngle => "el ángulo de presión es excesivo",
         FindingKind::Cusp => "el perfil tiene una cúspide",
         FindingKind::Undercut => "el perfil tiene rebaje",
+        FindingKind::GrooveUndercut => "la pared exterior de la ranura tiene rebaje",
         FindingKind::ConcaveFlat => "la cara plana no puede seguir el perfil",
         FindingKind::Doubtful => "las condiciones apenas determinan una curva",
         FindingKind::BelowBase => "el seguidor baja de la circunferencia base",
@@ -342,6 +429,7 @@ fn passing(kind: FindingKind, units: Units) -> &'static str {
     match kind {
         FindingKind::PressureAngle => "se mantiene por debajo",
         FindingKind::Cusp | FindingKind::Undercut => "el perfil no tiene cúspides ni rebajes",
+        FindingKind::GrooveUndercut => "ninguna pared de la ranura tiene rebaje",
         FindingKind::ConcaveFlat => "la cara plana toca todo el perfil",
         FindingKind::SelfCrossing => "el perfil ya no se corta",
         FindingKind::ArmCutsCam if units.oscillating => "el brazo no toca la leva",

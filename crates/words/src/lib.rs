@@ -82,6 +82,11 @@ impl Language {
         numbers::fixed(degrees, 1, self.decimal_sign()) + "°"
     }
 
+    /// An angle in degrees with four significant digits at most: `86.25°`.
+    fn angle_exact(self, degrees: f64) -> String {
+        self.number(degrees) + "°"
+    }
+
     fn decimal_sign(self) -> char {
         match self {
             Self::En => '.',
@@ -107,6 +112,18 @@ pub fn law(language: Language, law: &Law) -> &'static str {
 #[must_use]
 pub fn follower(language: Language, kind: &FollowerKind) -> &'static str {
     language.voice().follower(kind.id).unwrap_or(kind.id)
+}
+
+/// The name of a kind of cam from its word in design files: `cam of constant breadth`.
+#[must_use]
+pub fn cam_kind(language: Language, word: &'static str) -> &'static str {
+    language.voice().cam_kind(word).unwrap_or(word)
+}
+
+/// What the second cam of a conjugate pair is called, at the head of a line.
+#[must_use]
+pub fn second_cam(language: Language) -> &'static str {
+    language.voice().second_cam()
 }
 
 /// The verdict in one sentence.

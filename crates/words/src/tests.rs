@@ -1,8 +1,8 @@
 //! Claims about sentences.
 
 use super::*;
-use levalab_core::{Analysis, Column, FOLLOWERS, FindingKind, LAWS, Level};
-use levalab_format::{DataRefusal, Kind, Measure, Path, Problem, cures, example};
+use levalab_core::{Analysis, Closure, Column, FOLLOWERS, FindingKind, LAWS, Level};
+use levalab_format::{CamKind, DataRefusal, Kind, Measure, Path, Problem, cures, example};
 
 fn report(name: &str) -> (Design, Report) {
     let design = example(name).expect(name);
@@ -19,6 +19,7 @@ fn finding_of(kind: FindingKind) -> DesignFinding {
     let places = vec![120.0, 240.0];
     DesignFinding {
         kind,
+        level: kind.severity(Closure::Force),
         theta: 120.0,
         interval: Some([350.0, 370.0]),
         places,
@@ -27,7 +28,7 @@ fn finding_of(kind: FindingKind) -> DesignFinding {
     }
 }
 
-const KINDS: [FindingKind; 15] = [
+const KINDS: [FindingKind; 16] = [
     FindingKind::Jump(0),
     FindingKind::Jump(1),
     FindingKind::Jump(2),
@@ -43,6 +44,7 @@ const KINDS: [FindingKind; 15] = [
     FindingKind::PivotInsideCam,
     FindingKind::FaceOvertaken,
     FindingKind::ContactPastPivot,
+    FindingKind::GrooveUndercut,
 ];
 
 fn problems() -> Vec<Problem> {
@@ -75,8 +77,17 @@ fn problems() -> Vec<Problem> {
         DataRefusal::Dependent { items: vec![0, 2, 3] }.into(),
         DataRefusal::RiseDisagrees { found: 10.0, expected: 9.5, measure }.into(),
         Problem::AdjacentPolynomials { next: 2 },
-        Problem::Turn { found: 359.0 },
-        Problem::Turn { found: 370.0 },
+        Problem::Turn { found: 359.0, whole: 360.0, measure },
+        Problem::Turn { found: 170.0, whole: 180.0, measure },
+        Problem::Turn { found: 95.5, whole: 100.0, measure: Measure::Length },
+        Problem::Unsuited { kind: "translating" },
+        Problem::OffCentre { found: 3.0, measure: Measure::Length, kind: "constant-breadth" },
+        Problem::Breadth { found: 60.0, base_radius: 30.0 },
+        Problem::BreadthTravel { found: 9.0, travel: 10.0, breadth: 70.0, base_radius: 30.0 },
+        Problem::Sides { found: 4.0, most: 31.0 },
+        Problem::SharpArcs { found: 10.0, least: 42.26, half: 50.0 },
+        Problem::TooClose { found: 70.0, least: 74.0 },
+        Problem::OneOf { expected: vec!["angle", "base_radius"] },
         Problem::Closing { found: 0.1, measure },
         Problem::BelowBase { found: -0.1, measure },
         Problem::Eccentricity { found: 42.0, prime_radius: 42.0 },
@@ -93,7 +104,7 @@ fn links() -> Vec<LinkError> {
         LinkError::Damaged,
         LinkError::Version { found: "2".to_owned() },
         LinkError::Unreadable,
-        LinkError::Design(DesignError { path: Path::from("segments"), problem: Problem::Turn { found: 350.0 } }),
+        LinkError::Design(DesignError { path: Path::from("segments"), problem: Problem::NoSegments }),
     ]
 }
 
@@ -113,6 +124,9 @@ fn every_law_and_follower_has_a_name_in_every_language() {
         }
         for kind in FOLLOWERS {
             assert!(language.voice().follower(kind.id).is_some(), "{} {}", language.tag(), kind.id);
+        }
+        for word in CamKind::WORDS {
+            assert!(language.voice().cam_kind(word).is_some(), "{} {word}", language.tag());
         }
     }
 }
@@ -191,7 +205,8 @@ fn the_pressure_angle_of_a_textbook_is_told_with_its_cure() {
 #[test]
 fn numbers_agree_with_their_nouns() {
     let told = |language, found| {
-        design_error(language, &DesignError { path: Path::default(), problem: Problem::Turn { found } })
+        let problem = Problem::Turn { found, whole: 360.0, measure: Measure::Degrees };
+        design_error(language, &DesignError { path: Path::default(), problem })
     };
     assert_eq!(told(Language::Es, 359.0), "Los tramos suman 359°: falta 1° para una vuelta completa.");
     assert_eq!(told(Language::Es, 370.0), "Los tramos suman 370°: sobran 10° para una vuelta completa.");

@@ -10,6 +10,8 @@ pub(crate) struct Units {
     pub length: LengthUnit,
     /// True when the displacement is an angle.
     pub oscillating: bool,
+    /// True when the cam travels, so that its places are lengths and derivatives are per length.
+    pub travels: bool,
 }
 
 /// Between a number and its unit: the two stay on one line.
@@ -19,7 +21,11 @@ impl Units {
     /// Those of a design.
     #[must_use]
     pub fn of(design: &Design) -> Self {
-        Self { length: design.length_unit, oscillating: design.is_oscillating() }
+        Self {
+            length: design.length_unit,
+            oscillating: design.is_oscillating(),
+            travels: design.kind.travel().is_some(),
+        }
     }
 
     /// A length with its unit.
@@ -29,11 +35,12 @@ impl Units {
 
     /// A displacement or one of its derivatives with respect to θ, with its unit.
     pub(crate) fn travel(self, value: f64, order: u8, language: Language) -> String {
+        let per = if self.travels { self.length.symbol() } else { "rad" };
         let per = match order {
-            0 => "",
-            1 => "/rad",
-            2 => "/rad²",
-            _ => "/rad³",
+            0 => String::new(),
+            1 => format!("/{per}"),
+            2 => format!("/{per}²"),
+            _ => format!("/{per}³"),
         };
         match self.oscillating {
             true => format!("{}°{per}", language.number(value)),

@@ -25,6 +25,8 @@ pub enum FileProblem {
 pub(crate) trait Voice {
     fn law(&self, id: &str) -> Option<&'static str>;
     fn follower(&self, id: &str) -> Option<&'static str>;
+    fn cam_kind(&self, word: &str) -> Option<&'static str>;
+    fn second_cam(&self) -> &'static str;
     fn headline(&self, report: &Report) -> String;
     fn finding(&self, finding: &DesignFinding, units: Units) -> String;
     fn cure(&self, finding: &DesignFinding, remedy: &Remedy, units: Units) -> String;
@@ -52,7 +54,10 @@ pub(crate) struct Figures {
 
 impl Figures {
     pub fn of(finding: &DesignFinding, units: Units, language: Language) -> Self {
-        let at = |theta: f64| language.angle(theta.rem_euclid(360.0));
+        let at = |theta: f64| match units.travels {
+            true => units.length(theta, language),
+            false => language.angle(theta.rem_euclid(360.0)),
+        };
         let (value, limit) = (finding.value.unwrap_or(f64::NAN), finding.limit.unwrap_or(f64::NAN));
         let written = |number: f64| match finding.kind {
             FindingKind::Jump(order) => units.travel(number, order, language),
@@ -61,6 +66,7 @@ impl Figures {
             FindingKind::FaceOvertaken | FindingKind::Doubtful => language.number(number),
             FindingKind::Cusp
             | FindingKind::Undercut
+            | FindingKind::GrooveUndercut
             | FindingKind::ConcaveFlat
             | FindingKind::SelfCrossing
             | FindingKind::ArmCutsCam
@@ -91,7 +97,7 @@ pub(crate) fn measured(value: f64, measure: Measure, language: Language) -> Stri
 /// The kinds of finding that a headline names, each once, without the jerk's when there is worse.
 pub(crate) fn worst_kinds(report: &Report) -> Vec<FindingKind> {
     let mut kinds: Vec<FindingKind> = Vec::new();
-    let worst = report.findings.iter().filter(|finding| finding.kind.severity() == report.level);
+    let worst = report.findings.iter().filter(|finding| finding.level == report.level);
     for finding in worst {
         if !kinds.contains(&finding.kind) {
             kinds.push(finding.kind);

@@ -1,6 +1,6 @@
 //! Where cam and follower touch, and how the profile bends there.
 
-use super::{Body, Element, Follower, Point};
+use super::{Body, Drive, Element, Follower, Point};
 use crate::Svaj;
 
 /// Least |P′|² that is divided by, so that a pitch curve that stands still for an instant gives numbers and not NaN.
@@ -37,6 +37,7 @@ impl Follower {
     #[must_use]
     #[inline]
     pub fn contact(&self, motion: Svaj) -> Contact {
+        let motion = self.reversed.map_or(motion, |top| Svaj::new(top, 0.0, 0.0, 0.0) - motion);
         match self.element {
             Element::Disc { centre, radius } => self.disc_contact(centre, radius, motion),
             Element::Face { normal, point } => self.face_contact(normal, point, motion),
@@ -67,26 +68,30 @@ impl Follower {
     /// First idea: the profile is the pitch curve offset inwards by the radius of the disc.
     ///
     /// With F the trace point and P = F·e^(−iσθ) the pitch curve, W = F + iσF′ points along the outward normal and
-    /// |W| = |P′|; κp = −σ·(P′ × P″)/|P′|³, positive when convex.
+    /// |W| = |P′|; κp = −σ·(P′ × P″)/|P′|³, positive when convex. On a cam that travels P = F + θ, W = i(1 + F′).
     #[inline]
     fn disc_contact(&self, centre: Point, radius: f64, motion: Svaj) -> Contact {
         let sigma = self.rotation.sigma();
         let (trace, first, second) = self.body.carry(centre, motion);
-        let w = trace + times_i(first) * sigma;
+        let (w, p2) = match self.drive {
+            Drive::Turns => (trace + times_i(first) * sigma, second - times_i(first) * (2.0 * sigma) - trace),
+            Drive::Travels => (times_i(first + 1.0), second),
+        };
         let per_speed = 1.0 / w.norm_sqr().max(STILL).sqrt();
         let normal = w * per_speed;
-        let (p1, p2) = (times_i(w) * -sigma, second - times_i(first) * (2.0 * sigma) - trace);
-        let bend = -sigma * cross(p1, p2) * per_speed * per_speed * per_speed;
+        let p1 = times_i(w) * -sigma;
+        // Adding 0 makes 0 of −0, so that what is straight has the radius +∞.
+        let bend = -sigma * cross(p1, p2) * per_speed * per_speed * per_speed + 0.0;
         let point = trace - normal * radius;
         let (lever, velocity) = self.body.lever_and_velocity(trace, point, motion.v);
         Contact {
             point,
             trace,
             normal,
-            pressure_angle: sigma * angle_between(lever, normal),
+            pressure_angle: sigma * angle_between(lever * self.advance(), normal),
             bend,
             reach: 0.0,
-            sliding: dot(velocity - times_i(point) * sigma, times_i(normal)),
+            sliding: dot(velocity - self.cam_velocity(point), times_i(normal)),
             lead: 1.0,
         }
     }
@@ -117,18 +122,34 @@ impl Follower {
         let tangent = times_i(n);
         let touch = n * support + tangent * q;
         let (lever, velocity) = self.body.lever_and_velocity(touch, touch, v);
+        let advance = self.advance();
         Contact {
             point: touch,
             trace: touch,
             normal: n,
-            pressure_angle: sigma * angle_between(lever, n),
+            pressure_angle: sigma * angle_between(lever * advance, n),
             bend: support + q1 / alpha1,
             reach: match self.body {
                 Body::Slide => touch.re,
-                Body::Swing { pivot } => dot(touch - pivot, tangent),
+                Body::Swing { pivot } => dot(touch - pivot, tangent) * advance,
             },
-            sliding: dot(velocity - times_i(touch) * sigma, tangent),
+            sliding: dot(velocity - self.cam_velocity(touch), tangent),
             lead: -sigma * alpha1,
+        }
+    }
+
+    /// +1 when the element moves off its cam as the follower's body moves forward; −1 for a second element across the shaft.
+    #[inline]
+    pub(crate) fn advance(&self) -> f64 {
+        if self.reversed.is_some() { -1.0 } else { 1.0 }
+    }
+
+    /// Velocity of the cam's own point at `point`, length per radian (or per length of travel).
+    #[inline]
+    fn cam_velocity(&self, point: Point) -> Point {
+        match self.drive {
+            Drive::Turns => times_i(point) * self.rotation.sigma(),
+            Drive::Travels => Point::new(-1.0, 0.0),
         }
     }
 }

@@ -142,17 +142,32 @@ impl Rotation {
     }
 }
 
-/// A follower resting on a base circle.
+/// How the cam itself moves.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Drive {
+    /// It turns about the origin; θ is an angle.
+    #[default]
+    Turns,
+    /// It travels towards −x, so that the follower meets what lies at x = θ; θ is a length.
+    Travels,
+}
+
+/// A follower resting on a base circle, or on the base line of a cam that travels.
 #[derive(Clone, Copy, Debug)]
 pub struct Follower {
     /// What kind it is.
     pub kind: &'static FollowerKind,
-    /// Rb.
+    /// Rb; 0 for a cam that travels.
     pub base_radius: f64,
     /// Its parameters, in the order of [`FollowerKind::parameters`]; angles in radians.
     pub values: FollowerValues,
+    /// How the cam moves.
+    pub drive: Drive,
     /// Sense of rotation of the cam.
     pub rotation: Rotation,
+    /// The greatest displacement of the follower that this is the second element of, on the other side of the shaft. Its own
+    /// displacement is that less the follower's, so it advances on its cam when the first retreats.
+    pub reversed: Option<f64>,
     /// Its rigid motion.
     pub body: Body,
     /// What touches the cam, at s = 0.
@@ -177,14 +192,36 @@ impl Follower {
             }
         }
         let (body, element) = (kind.place)(base_radius, &values)?;
-        Ok(Self { kind, base_radius, values, rotation, body, element })
+        Ok(Self { kind, base_radius, values, drive: Drive::Turns, rotation, reversed: None, body, element })
+    }
+
+    /// Places a translating disc on the base line of a cam that travels: its trace point at height Rf, on the y axis.
+    ///
+    /// # Errors
+    /// Names the magnitude that makes it impossible. A follower that swings or has a flat face has no place on such a cam.
+    pub fn on_travel(kind: &'static FollowerKind, values: FollowerValues) -> Result<Self, GeometryError> {
+        // On a unit circle all its checks are made; what it rests on is then changed for the base line.
+        let resting = Self::new(kind, 1.0, values, Rotation::CounterClockwise)?;
+        let misfit = |key| Err(GeometryError { key, problem: GeometryProblem::Unsuited });
+        let Element::Disc { centre, radius } = resting.element else { return misfit("contact") };
+        if resting.body != Body::Slide {
+            return misfit("motion");
+        }
+        if centre.re != 0.0 {
+            return misfit(ECCENTRICITY.key);
+        }
+        let element = Element::Disc { centre: Point::new(0.0, radius), radius };
+        Ok(Self { base_radius: 0.0, drive: Drive::Travels, element, ..resting })
     }
 
     /// The same follower on another base circle.
     ///
     /// # Errors
-    /// As [`Follower::new`].
+    /// As [`Follower::new`]; a cam that travels has no base circle, and a second element is placed by the first.
     pub fn with_base_radius(&self, base_radius: f64) -> Result<Self, GeometryError> {
+        if self.drive == Drive::Travels || self.reversed.is_some() {
+            return Err(GeometryError { key: "base_radius", problem: GeometryProblem::Unsuited });
+        }
         Self::new(self.kind, base_radius, self.values, self.rotation)
     }
 
@@ -195,7 +232,10 @@ impl Follower {
     pub fn with_value(&self, index: usize, value: f64) -> Result<Self, GeometryError> {
         let mut values = self.values;
         values[index] = value;
-        Self::new(self.kind, self.base_radius, values, self.rotation)
+        match self.drive {
+            Drive::Turns => Self::new(self.kind, self.base_radius, values, self.rotation),
+            Drive::Travels => Self::on_travel(self.kind, values),
+        }
     }
 
     /// The value of a parameter by its name.

@@ -4,6 +4,7 @@
 //! to β and L, one-sided limits, extremes, formulas on paper) follows from that list. To add a law, write one file with
 //! a `pub const LAW: Law` and name it in [`LAWS`].
 
+mod circular_arc;
 mod conditions;
 mod constant_velocity;
 mod cubic_1;
@@ -28,6 +29,7 @@ mod polynomial_7;
 mod scca;
 mod simple_harmonic;
 
+pub use circular_arc::LAW as CIRCULAR_ARC;
 pub use data::{Condition, Data, DataKind, DataProblem, Given, Solved};
 pub use polynomial::MAX_CONDITIONS;
 
@@ -121,6 +123,8 @@ pub struct Arguments {
     pub parameters: [f64; MAX_LAW_PARAMETERS],
     /// True for a return (L < 0).
     pub falling: bool,
+    /// The β spanned, radians.
+    pub beta: f64,
 }
 
 /// Why a law refuses its parameters.
@@ -239,7 +243,7 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, TAU};
 
     fn rising(law: &Law) -> Vec<Piece> {
-        law.unit(Arguments { parameters: law.default_parameters(), falling: false }).expect(law.id)
+        law.unit(Arguments { parameters: law.default_parameters(), falling: false, beta: 1.0 }).expect(law.id)
     }
 
     /// Value with one-sided limits: the piece is given, so both sides of a joint can be asked for.
@@ -263,7 +267,8 @@ mod tests {
     fn every_law_goes_from_zero_to_one_without_a_step() {
         for law in LAWS.iter().filter(|law| !law.is_dwell()) {
             for falling in [false, true] {
-                let pieces = law.unit(Arguments { parameters: law.default_parameters(), falling }).expect(law.id);
+                let pieces =
+                    law.unit(Arguments { parameters: law.default_parameters(), falling, beta: 1.0 }).expect(law.id);
                 let spans = spans(&pieces);
                 assert!(spans[0].2.at(0.0).s.abs() < 1e-14, "{} starts at 0", law.id);
                 let (_, end, last) = spans[spans.len() - 1].clone();
@@ -329,7 +334,7 @@ mod tests {
             ("modified-trapezoidal", 0.25, 0.5),
             ("cycloidal", 0.5, 0.0),
         ] {
-            let member = scca.unit(Arguments { parameters: [b, c], falling: false }).expect(id);
+            let member = scca.unit(Arguments { parameters: [b, c], falling: false, beta: 1.0 }).expect(id);
             assert_eq!(member, rising(Law::by_id(id).expect(id)), "{id}");
         }
         let pieces = rising(Law::by_id("cycloidal").expect("cycloidal"));
@@ -345,7 +350,7 @@ mod tests {
     fn scca_refuses_fractions_that_do_not_fit() {
         let scca = Law::by_id("scca").expect("scca");
         for parameters in [[-0.1, 0.5], [0.7, 0.5], [1.0, 0.0], [0.5, 0.6], [0.0, 1.2]] {
-            let answer = scca.unit(Arguments { parameters, falling: false });
+            let answer = scca.unit(Arguments { parameters, falling: false, beta: 1.0 });
             if parameters == [1.0, 0.0] {
                 assert!(answer.is_ok(), "b = 1 is two whole sine halves");
             } else {
@@ -357,7 +362,8 @@ mod tests {
     #[test]
     fn double_harmonic_returns_as_its_rise_reversed() {
         let law = Law::by_id("double-harmonic").expect("double-harmonic");
-        let (rise, fall) = (rising(law), law.unit(Arguments { parameters: [0.0; 2], falling: true }).expect("fall"));
+        let (rise, fall) =
+            (rising(law), law.unit(Arguments { parameters: [0.0; 2], falling: true, beta: 1.0 }).expect("fall"));
         for i in 0..=20 {
             let x = f64::from(i) / 20.0;
             let reversed = 1.0 - rise[0].curve.at(1.0 - x).s;

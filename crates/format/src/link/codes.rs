@@ -1,7 +1,7 @@
 //! The letters that stand for laws, followers and units in a link. Once published, a letter is never given to another.
 
 use crate::{LengthUnit, SpeedUnit};
-use levalab_core::{FOLLOWERS, FollowerKind, LAWS, Law};
+use levalab_core::{FOLLOWERS, FollowerKind, LAWS, Law, Tie};
 
 /// Law and code: a capital, and small letters where several laws are of one family.
 pub const LAW_CODES: &[(&str, &str)] = &[
@@ -56,7 +56,26 @@ pub(super) fn of_length_unit(unit: LengthUnit) -> &'static str {
     LENGTH_UNIT_CODES.iter().find(|entry| entry.0 == unit).map_or("", |entry| entry.1)
 }
 
-/// Empty for rad/s.
+/// A second cam, by what ties it to the first.
+pub(super) fn of_tie(tie: Tie) -> &'static str {
+    match tie {
+        Tie::Distance(_) => "kd",
+        Tie::Angle(_) => "ka",
+        Tie::BaseRadius(_) => "kr",
+    }
+}
+
+/// A tie from its second letter.
+pub(super) fn tie(letter: char) -> Option<fn(f64) -> Tie> {
+    match letter {
+        'd' => Some(Tie::Distance),
+        'a' => Some(Tie::Angle),
+        'r' => Some(Tie::BaseRadius),
+        _ => None,
+    }
+}
+
+/// Empty for rad/s, and for the lengths per second of a cam that travels.
 pub(super) fn of_speed_unit(unit: SpeedUnit) -> &'static str {
     SPEED_UNIT_CODES.iter().find(|entry| entry.0 == unit).map_or("", |entry| entry.1)
 }

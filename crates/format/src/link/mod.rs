@@ -23,9 +23,9 @@ pub use codes::{FOLLOWER_CODES, LAW_CODES};
 
 use crate::design::default_of;
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
-use crate::{Design, DesignError, LengthUnit, Speed};
+use crate::{BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Speed, SpeedUnit};
 use crc::{CRC_32_ISO_HDLC, Crc};
-use levalab_core::{Parameter, Rotation};
+use levalab_core::{Generator, Parameter, Rotation};
 
 /// The version of the link, its first field.
 pub const VERSION: &str = "1";
@@ -160,13 +160,14 @@ fn write_value(text: &mut String, value: f64) {
     number::write(text, value.abs());
 }
 
-/// Unit, speed and rotation, each only when it is not the usual one.
+/// Unit, speed, rotation, kind of cam and second cam, each only when it is not the usual one.
 fn write_options(text: &mut String, design: &Design) {
     if design.length_unit != LengthUnit::default() {
         text.push('u');
         text.push_str(codes::of_length_unit(design.length_unit));
     }
-    if design.speed != Speed::default() {
+    let usual = Speed { unit: usual_speed_unit(design.kind), ..Speed::default() };
+    if design.speed != usual {
         text.push('w');
         number::write(text, design.speed.value);
         text.push_str(codes::of_speed_unit(design.speed.unit));
@@ -174,6 +175,39 @@ fn write_options(text: &mut String, design: &Design) {
     if design.rotation == Rotation::Clockwise {
         text.push('c');
     }
+    match design.kind {
+        CamKind::Rotating => {}
+        CamKind::Grooved => text.push('g'),
+        CamKind::Translating { length } => {
+            text.push('t');
+            number::write(text, length);
+        }
+        CamKind::ConstantBreadth { breadth, generator } => {
+            text.push('b');
+            number::write(text, breadth);
+            match generator {
+                BreadthGenerator::Ready(Generator::Harmonic) => text.push('h'),
+                BreadthGenerator::Ready(Generator::CircularArc { sides }) => {
+                    text.push('a');
+                    number::write(text, f64::from(sides));
+                }
+                BreadthGenerator::Mirror => text.push('m'),
+            }
+        }
+    }
+    if let Some(Conjugate { tie, radius }) = design.conjugate {
+        text.push_str(codes::of_tie(tie));
+        number::write(text, tie.value());
+        if let Some(radius) = radius {
+            text.push('_');
+            number::write(text, radius);
+        }
+    }
+}
+
+/// The unit of speed that a link leaves out.
+fn usual_speed_unit(kind: CamKind) -> SpeedUnit {
+    if kind.travel().is_some() { SpeedUnit::LengthPerSecond } else { SpeedUnit::default() }
 }
 
 /// What parameters are when they are not told.

@@ -1,9 +1,11 @@
 //! Reads the fields of a link whose checksum has matched.
 
-use super::{LinkError, codes, data, defaults_of, title};
+use super::{LinkError, codes, data, defaults_of, title, usual_speed_unit};
 use crate::limits::MAX_SEGMENTS;
-use crate::{Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed};
-use levalab_core::Rotation;
+use crate::{
+    BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed, SpeedUnit,
+};
+use levalab_core::{Generator, Rotation};
 
 /// Reads title, follower, options and segments.
 ///
@@ -32,11 +34,17 @@ impl<'a> Fields<'a> {
         let length_unit = self.length_unit()?;
         let speed = self.speed()?;
         let rotation = if self.take('c') { Rotation::Clockwise } else { Rotation::CounterClockwise };
+        let kind = self.kind()?;
+        let travels = kind.travel().is_some();
+        let usual = usual_speed_unit(kind);
+        let speed = Speed { unit: speed.1.unwrap_or(usual), value: speed.0 };
+        let conjugate = self.conjugate()?;
         let mut segments = Vec::new();
         while !self.0.is_empty() && segments.len() <= MAX_SEGMENTS {
             segments.push(self.segment()?);
         }
-        Some(Design { title, length_unit, speed, rotation, base_radius, follower, values, segments })
+        let base_radius = if travels { 0.0 } else { base_radius };
+        Some(Design { title, length_unit, speed, kind, rotation, base_radius, follower, values, segments, conjugate })
     }
 
     fn length_unit(&mut self) -> Option<LengthUnit> {
@@ -46,16 +54,46 @@ impl<'a> Fields<'a> {
         codes::length_unit(self.next()?)
     }
 
-    fn speed(&mut self) -> Option<Speed> {
+    fn kind(&mut self) -> Option<CamKind> {
+        if self.take('g') {
+            return Some(CamKind::Grooved);
+        }
+        if self.take('t') {
+            return Some(CamKind::Translating { length: self.number()? });
+        }
+        if !self.take('b') {
+            return Some(CamKind::Rotating);
+        }
+        let breadth = self.number()?;
+        let generator = match self.next()? {
+            'h' => BreadthGenerator::Ready(Generator::Harmonic),
+            'a' => BreadthGenerator::Ready(Generator::CircularArc { sides: self.number()? as u32 }),
+            'm' => BreadthGenerator::Mirror,
+            _ => return None,
+        };
+        Some(CamKind::ConstantBreadth { breadth, generator })
+    }
+
+    fn conjugate(&mut self) -> Option<Option<Conjugate>> {
+        if !self.take('k') {
+            return Some(None);
+        }
+        let tie = codes::tie(self.next()?)?(self.number()?);
+        let radius = if self.take('_') { Some(self.number()?) } else { None };
+        Some(Some(Conjugate { tie, radius }))
+    }
+
+    /// How fast, and the unit when one is told.
+    fn speed(&mut self) -> Option<(f64, Option<SpeedUnit>)> {
         if !self.take('w') {
-            return Some(Speed::default());
+            return Some((Speed::default().value, None));
         }
         let value = self.number()?;
         let unit = self.0.chars().next().and_then(codes::speed_unit);
         if unit.is_some() {
             self.next();
         }
-        Some(Speed { value, unit: unit.unwrap_or_default() })
+        Some((value, unit))
     }
 
     fn segment(&mut self) -> Option<SegmentDesign> {

@@ -97,7 +97,9 @@ fn each_refusal_has_its_own_reason() {
     assert_eq!(decode(&sealed("1.a.Z35D360")), Err(LinkError::Unreadable));
     assert_eq!(decode(&sealed("1.a")), Err(LinkError::Unreadable));
     let refused = decode(&sealed("1.a.R35_7D350")).expect_err("ten degrees short");
-    assert!(matches!(refused, LinkError::Design(error) if error.problem == Problem::Turn { found: 350.0 }));
+    assert!(
+        matches!(refused, LinkError::Design(error) if error.problem == Problem::Turn { found: 350.0, whole: 360.0, measure: crate::Measure::Degrees })
+    );
     let many = "D5.625".repeat(65);
     let refused = decode(&sealed(&format!("1.a.R35_7{many}"))).expect_err("too many");
     assert!(matches!(refused, LinkError::Design(error) if matches!(error.problem, Problem::TooManySegments { .. })));
