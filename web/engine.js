@@ -3,6 +3,7 @@
  *
  * @import { Catalogue, Design, Lab, Language, Opened, Read } from "./types.d.ts"
  */
+import { compile, glue } from "./module.js";
 
 /** Stations of a turn that are drawn. */
 const SAMPLES = 720;
@@ -20,15 +21,6 @@ const RESTART_WINDOW = 10_000;
  * @property {(fragment: string, language: Language) => Read} open_link
  * @property {(design: unknown, language: Language) => Read} read_design
  */
-
-/** @returns {Promise<WebAssembly.Module>} */
-async function compile() {
-  const url = new URL("./pkg/levalab_wasm_bg.wasm", import.meta.url);
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
-  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
-  return WebAssembly.compile(await response.arrayBuffer());
-}
 
 /**
  * @param {object} options
@@ -50,11 +42,8 @@ export async function startEngine({ language, restarted }) {
 
   /** A fresh copy of the glue holds a fresh instance: a panicked one cannot be trusted. */
   async function instantiate() {
-    const url = new URL("./pkg/levalab_wasm.js", import.meta.url);
-    if (generation > 0) url.search = `?restart=${generation}`;
-    generation += 1;
     /** @type {Module} */
-    const fresh = await import(url.href);
+    const fresh = await glue(generation++);
     await fresh.default({ module_or_path: compiled });
     module = fresh;
     lab = new fresh.Lab();

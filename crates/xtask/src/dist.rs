@@ -14,9 +14,10 @@ use walkdir::WalkDir;
 
 use crate::{
     html::{self, Kind, Load},
+    offline,
     page::{MODULE, Page},
     process::{self, told},
-    project, setup,
+    project, setup, single,
     size::{Size, kilobytes},
     wasm::{self, Build},
 };
@@ -59,18 +60,23 @@ fn write() -> Result<Packed> {
     fs::create_dir_all(&fresh)?;
     let html = fs::read_to_string(project::path("index.html")).context("index.html")?;
     let loads = html::loads(&html);
-    let parts = bundle(&fresh, &loads)?;
+    let whole = project::target()?.join("single");
+    let parts = bundle(&fresh, &whole, &loads)?;
     copy_others(&fresh)?;
     let hash = content_hash(&fresh)?;
     let folder = dist.join(&hash);
     fs::rename(&fresh, &folder)?;
     let page = Page::new(&hash, &loads, &parts);
-    fs::write(dist.join("index.html"), page.rewrite(&html))?;
+    fs::write(dist.join("index.html"), html::packed_as(&page.rewrite(&html), "site"))?;
+    let names = names(&dist)?;
+    offline::write_worker(&dist, &hash, &content_hash(&dist)?, &names)?;
+    let single = single::Parts { html: &html, loads: &loads, scripts: &whole, packed: &folder, module: MODULE };
+    fs::write(dist.join(single::FILE), single.page()?).context(single::FILE)?;
     Ok(Packed { folder, first: page.first() })
 }
 
 /// Joins and minifies scripts and styles; gives the files that the page needs at once beside those it names.
-fn bundle(out: &Path, loads: &[Load]) -> Result<Vec<String>> {
+fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<Vec<String>> {
     let of_kind =
         |kind: &Kind| loads.iter().filter(|load| load.kind == *kind).map(|load| load.file.as_str()).collect::<Vec<_>>();
     let styles = loads.iter().filter_map(|load| match &load.kind {
@@ -79,6 +85,7 @@ fn bundle(out: &Path, loads: &[Load]) -> Result<Vec<String>> {
     });
     let order = json!({
         "out": out,
+        "single": single,
         "modules": of_kind(&Kind::Module),
         "scripts": of_kind(&Kind::Script),
         "styles": styles.collect::<Vec<_>>(),
@@ -121,6 +128,12 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(files)
 }
 
+/// Files by the name that a browser asks for, relative to the folder.
+fn names(folder: &Path) -> Result<Vec<String>> {
+    let name = |file: PathBuf| Ok(file.strip_prefix(folder)?.to_string_lossy().replace('\\', "/"));
+    files(folder)?.into_iter().map(name).collect()
+}
+
 /// Eight hexadecimal digits over all names and contents.
 fn content_hash(folder: &Path) -> Result<String> {
     let mut checksum = flate2::Crc::new();
@@ -159,10 +172,14 @@ fn print_sizes(packed: &Packed) -> Result<()> {
         print_size(name, size);
     }
     print_size("together", total);
-    for file in files(&dist)? {
-        let name = file.strip_prefix(&dist)?.to_string_lossy().replace('\\', "/");
+    for name in names(&dist)? {
         if !packed.first.contains(&name) {
-            print_size(&format!("on demand: {name}"), Size::of(&file)?);
+            let when = match name.as_str() {
+                offline::WORKER => "once drawn",
+                single::FILE => "instead of all",
+                _ => "on demand",
+            };
+            print_size(&format!("{when}: {name}"), Size::of(&dist.join(&name))?);
         }
     }
     let verdict = if total.gzip <= FIRST_LOAD_GOAL { "kept" } else { "MISSED" };

@@ -86,6 +86,11 @@ pub fn rewrite(html: &str, loads: &[Load], mut replacement: impl FnMut(&Load) ->
     written
 }
 
+/// Tells the page how it was packed, for what only works one way.
+pub fn packed_as(html: &str, how: &str) -> String {
+    html.replacen("<html ", &format!("<html data-packed=\"{how}\" "), 1)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

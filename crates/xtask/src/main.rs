@@ -3,11 +3,13 @@
 mod bench;
 mod dist;
 mod html;
+mod offline;
 mod page;
 mod process;
 mod project;
 mod serve;
 mod setup;
+mod single;
 mod size;
 mod soak;
 mod test;
@@ -31,7 +33,7 @@ enum Task {
     Serve(serve::Options),
     /// Runs every check; with names, only the steps whose name contains one of them.
     Test(test::Options),
-    /// Packs the page into the static folder `dist/`, ready for any web server and any path.
+    /// Packs the page into the static folder `dist/`, ready for any web server and any path, and into one file beside.
     Dist,
     /// Measures the core and the page against the goals.
     Bench(bench::Options),

@@ -1,0 +1,20 @@
+/** Where the calculation comes from: two files beside the page. The single-file page has `module-inline.js` in this one's place. */
+
+/** @returns {Promise<WebAssembly.Module>} */
+export async function compile() {
+  const url = new URL("./pkg/levalab_wasm_bg.wasm", import.meta.url);
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+  if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/**
+ * The generated JavaScript, which holds one instance: a fresh copy for each generation.
+ * @param {number} generation
+ */
+export function glue(generation) {
+  const url = new URL("./pkg/levalab_wasm.js", import.meta.url);
+  if (generation > 0) url.search = `?restart=${generation}`;
+  return import(url.href);
+}
