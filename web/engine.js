@@ -134,6 +134,16 @@ export async function startEngine({ language, restarted }) {
     },
 
     /**
+     * Whether something kept is a design.
+     * @param {unknown} design
+     * @returns {Read}
+     */
+    check(design) {
+      const nothing = unread("");
+      return typeof design === "object" && design !== null ? guarded(() => module.read_design(design, language()), nothing) : nothing;
+    },
+
+    /**
      * The text of a design file.
      * @param {Design} design
      */

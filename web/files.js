@@ -10,35 +10,57 @@ import { createMenu } from "./menu.js";
 /** A design file has a few thousand characters; a larger one is something else. */
 const LARGEST = 1_000_000;
 
-/**
- * @param {ShellContext} context
- * @param {Texts} texts
- * @param {{ openFile: (text: string, notJson: string) => Read, saveFile: (design: Design) => string }} engine
- */
-export function createFiles({ store, t, banner }, texts, { openFile, saveFile }) {
-  const chooser = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: "-1", "aria-hidden": "true" });
-  const open = texts.text(h("button", { type: "button" }), "header.open");
-  const save = texts.text(h("button", { type: "button" }), "header.save");
-  const menu = createMenu("files-menu", [open, save]);
-  const files = texts.text(h("button", { type: "button", class: "quiet drop", "aria-haspopup": "menu" }), "header.files");
+/** @typedef {{ openFile: (text: string, notJson: string) => Read, saveFile: (design: Design) => string, check: (design: unknown) => Read }} FileEngine */
 
-  files.addEventListener("click", () => menu.open(files));
-  open.addEventListener("click", () => chooser.click());
-  chooser.addEventListener("change", async () => {
-    const [file] = chooser.files ?? [];
-    chooser.value = "";
-    if (!file) return;
-    const text = file.size > LARGEST ? "" : await file.text();
+/**
+ * Opens a design file that somebody chose or dropped, or tells why not.
+ * @param {ShellContext} context
+ * @param {Pick<FileEngine, "openFile">} engine
+ * @returns {(file: File) => Promise<void>}
+ */
+export function opener({ store, t, banner }, { openFile }) {
+  return async (file) => {
+    const text = file.size > LARGEST ? "" : await file.text().catch(() => "");
     const attempt = () => openFile(text, t("banner.file.json"));
     const read = attempt();
     if (read.error) return banner.show("banner.file", () => ({ reason: sentence(attempt()) }));
     banner.hide();
     store.replace(read.design, t("edit.file"));
+  };
+}
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ * @param {FileEngine} engine
+ */
+export function createFiles(context, texts, engine) {
+  const { store } = context;
+  const chooser = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: "-1", "aria-hidden": "true" });
+  const open = texts.text(h("button", { type: "button" }), "header.open");
+  const save = texts.text(h("button", { type: "button" }), "header.save");
+  const recent = texts.text(h("button", { type: "button", "aria-haspopup": "dialog" }), "header.recent");
+  const menu = createMenu("files-menu", [open, recent, save]);
+  const openFile = opener(context, engine);
+  /** @type {Promise<() => Promise<void>> | undefined} */
+  let recentDialog;
+  const files = texts.text(h("button", { type: "button", class: "quiet drop", "aria-haspopup": "menu" }), "header.files");
+
+  files.addEventListener("click", () => menu.open(files));
+  open.addEventListener("click", () => chooser.click());
+  chooser.addEventListener("change", () => {
+    const [file] = chooser.files ?? [];
+    chooser.value = "";
+    if (file) void openFile(file);
+  });
+  recent.addEventListener("click", async () => {
+    recentDialog ??= import("./recent-dialog.js").then(({ createRecentDialog }) => createRecentDialog(context, engine.check));
+    await (await recentDialog)();
   });
 
   save.addEventListener("click", () => {
     const design = store.lastGood();
-    const url = URL.createObjectURL(new Blob([saveFile(design)], { type: "application/json" }));
+    const url = URL.createObjectURL(new Blob([engine.saveFile(design)], { type: "application/json" }));
     h("a", { href: url, download: `${fileName(design.title) || "levalab"}.lev.json` }).click();
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   });

@@ -1,7 +1,7 @@
 /**
  * The upper line: name, title, examples, undo and redo, link, files, language, theme, projector, help.
  *
- * @import { Language, Read, ShellContext, Theme } from "./types.d.ts"
+ * @import { Language, ShellContext, Theme } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
 import { h } from "./dom.js";
@@ -21,7 +21,7 @@ const LANGUAGES = ["es", "en"];
 /**
  * @param {HTMLElement} root
  * @param {ShellContext} context
- * @param {{ openFile: (text: string, notJson: string) => Read, saveFile: (design: import("./types.d.ts").Design) => string }} engine
+ * @param {import("./files.js").FileEngine} engine
  */
 export function mount(root, context, engine) {
   const { store, t } = context;

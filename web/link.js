@@ -22,8 +22,15 @@ export function keepLink({ store, banner, t }, engine, damaged) {
   function write() {
     timer = 0;
     const { link } = store.state.report;
-    keep("design", store.lastGood());
-    if (link === "") return;
+    const design = store.lastGood();
+    keep("design", design);
+    if (link !== "") point(link);
+    // Last, so that it names the address that the tab will come back to, whether or not that holds the design.
+    keep("design", { design, fragment: fragment() }, "sessionStorage");
+  }
+
+  /** @param {string} link */
+  function point(link) {
     written = link;
     if (link === fragment()) return;
     lastWrite = performance.now();
@@ -65,17 +72,19 @@ export function address(link) {
 }
 
 /**
- * What the page opens with: the link, else what the user had, else a good example. A damaged link is told.
- * @param {{ openLink: (fragment: string) => Read, openFile: (text: string, notJson: string) => Read }} engine
+ * What the page opens with: the link, else what this tab had, else what the user had last, else a good example. A damaged link
+ * is told. The tab's own design goes before the link that it had then: it may be too long for one.
+ * @param {{ openLink: (fragment: string) => Read, check: (design: unknown) => Read }} engine
  * @param {Design} example
  * @returns {{ design: Design, damaged?: string }}  with the link that did not open
  */
 export function firstDesign(engine, example) {
   const raw = fragment();
+  const here = /** @type {{ design?: unknown, fragment?: unknown } | null} */ (recall("design", "sessionStorage"));
+  const own = engine.check(here?.design).design;
+  if (own && (raw === "" || raw === here?.fragment)) return { design: own };
   const read = raw === "" ? null : engine.openLink(raw);
   if (read?.design) return { design: read.design };
-  const kept = recall("design");
-  const had = kept === null ? null : engine.openFile(JSON.stringify(kept), "");
-  const design = had?.design ?? example;
+  const design = own ?? engine.check(recall("design")).design ?? example;
   return read?.error ? { design, damaged: raw } : { design };
 }

@@ -76,6 +76,8 @@ async function start() {
   });
   store.drawNow();
   performance.mark("levalab:drawn");
+  const idle = globalThis.requestIdleCallback ?? ((/** @type {() => void} */ work) => setTimeout(work, 200));
+  idle(() => void import("./afterwards.js").then(({ begin }) => begin(context, engine)));
 }
 
 /** @param {boolean} hopeless */

@@ -1,12 +1,17 @@
-/** What the browser keeps between visits. Everything works without it. */
+/** What the browser keeps between visits, and what a tab keeps for itself. Everything works without it. */
+
+const PREFIX = "levalab:";
+
+/** @typedef {"localStorage" | "sessionStorage"} Keeper  for every tab, or for this one alone */
 
 /**
- * @param {"design" | "view"} name
+ * @param {string} name
+ * @param {Keeper} [keeper]
  * @returns {unknown}
  */
-export function recall(name) {
+export function recall(name, keeper = "localStorage") {
   try {
-    const text = localStorage.getItem(`levalab:${name}`);
+    const text = window[keeper].getItem(PREFIX + name);
     return text === null ? null : JSON.parse(text);
   } catch {
     return null;
@@ -14,13 +19,32 @@ export function recall(name) {
 }
 
 /**
- * @param {"design" | "view"} name
+ * @param {string} name
  * @param {unknown} value
+ * @param {Keeper} [keeper]
  */
-export function keep(name, value) {
+export function keep(name, value, keeper = "localStorage") {
   try {
-    localStorage.setItem(`levalab:${name}`, JSON.stringify(value));
+    window[keeper].setItem(PREFIX + name, JSON.stringify(value));
   } catch {
     // Private windows, full or forbidden storage: nothing to do, the link still holds the design.
+  }
+}
+
+/** @param {string} name */
+export function forget(name) {
+  try {
+    localStorage.removeItem(PREFIX + name);
+  } catch {
+    // Then nothing is kept either.
+  }
+}
+
+/** The names that begin so. @param {string} beginning @returns {string[]} */
+export function kept(beginning) {
+  try {
+    return Object.keys(localStorage).flatMap((key) => (key.startsWith(PREFIX + beginning) ? [key.slice(PREFIX.length)] : []));
+  } catch {
+    return [];
   }
 }

@@ -34,6 +34,7 @@ function initialView() {
  * @property {string} label
  * @property {Design} design
  * @property {string | undefined} gesture
+ * @property {number} origin
  */
 
 /** @returns {Store & Keeper} */
@@ -50,6 +51,9 @@ export function createStore() {
   const past = [];
   /** @type {Entry[]} */
   const future = [];
+  /** Counts the designs that were opened: which of them the current one grew from. */
+  let origin = 0;
+  let origins = 0;
   /** Two sets in turn, so that a frame of the animation allocates nothing here. */
   let changed = new Set();
   let spare = new Set();
@@ -128,7 +132,7 @@ export function createStore() {
     future.length = 0;
     const last = past.at(-1);
     if (gesture !== undefined && last?.gesture === gesture) return;
-    past.push({ label, design: state.design, gesture });
+    past.push({ label, design: state.design, gesture, origin });
     if (past.length > HISTORY) past.shift();
   }
 
@@ -139,7 +143,8 @@ export function createStore() {
   function travel(from, to) {
     const entry = from.pop();
     if (!entry) return;
-    to.push({ label: entry.label, design: state.design, gesture: undefined });
+    to.push({ label: entry.label, design: state.design, gesture: undefined, origin });
+    origin = entry.origin;
     adopt(entry.design);
   }
 
@@ -206,6 +211,7 @@ export function createStore() {
 
     replace(design, label) {
       remember(label);
+      origin = ++origins;
       adopt(structuredClone(design));
     },
 
@@ -214,6 +220,7 @@ export function createStore() {
     canUndo: () => past.length > 0,
     canRedo: () => future.length > 0,
     lastGood: () => good ?? state.design,
+    origin: () => origin,
     undoLabel: () => past.at(-1)?.label ?? "",
     redoLabel: () => future.at(-1)?.label ?? "",
 

@@ -299,6 +299,8 @@ export interface Keeper {
   touch(key: keyof State): void;
   /** The design that `state.report` is about. */
   lastGood(): Design;
+  /** Another number for each design that was opened; undo goes back to the one before. */
+  origin(): number;
   undoLabel(): string;
   redoLabel(): string;
   /** Draws what is pending at once. */

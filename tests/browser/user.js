@@ -2,7 +2,9 @@
 import assert from "node:assert/strict";
 import { en as enShell } from "../../web/strings/en.js";
 import { es as esShell } from "../../web/strings/es.js";
-import { createTranslate } from "../../web/strings/index.js";
+import { addStrings, createTranslate } from "../../web/strings/index.js";
+import { filesEn } from "../../web/strings/files.en.js";
+import { filesEs } from "../../web/strings/files.es.js";
 import { stageEn } from "../../web/strings/stage.en.js";
 import { stageEs } from "../../web/strings/stage.es.js";
 import { openPage } from "./harness.js";
@@ -13,8 +15,9 @@ import { openPage } from "./harness.js";
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-export const en = words("en", { ...enShell, ...stageEn });
-export const es = words("es", { ...esShell, ...stageEs });
+addStrings({ en: filesEn, es: filesEs });
+export const en = words("en", { ...enShell, ...stageEn, ...filesEn });
+export const es = words("es", { ...esShell, ...stageEs, ...filesEs });
 
 /**
  * The page's own words, and no others: a key that is gone should not go unnoticed.

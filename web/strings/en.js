@@ -27,6 +27,7 @@ export const en = {
   "header.share.long": "This design is too long for a link: save it as a file.",
   "header.files": "File",
   "header.open": "Open a design file…",
+  "header.recent": "Recent designs…",
   "header.save": "Save as a design file",
   "header.language": "Language",
   "header.theme": "Theme: {theme}",

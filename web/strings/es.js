@@ -27,6 +27,7 @@ export const es = {
   "header.share.long": "Este diseño es demasiado largo para un enlace: guárdelo como archivo.",
   "header.files": "Archivo",
   "header.open": "Abrir un archivo de diseño…",
+  "header.recent": "Diseños recientes…",
   "header.save": "Guardar como archivo de diseño",
   "header.language": "Idioma",
   "header.theme": "Tema: {theme}",

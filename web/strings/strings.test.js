@@ -7,12 +7,14 @@ import { en } from "./en.js";
 import { es } from "./es.js";
 import { freeEn } from "./free.en.js";
 import { freeEs } from "./free.es.js";
+import { filesEn } from "./files.en.js";
+import { filesEs } from "./files.es.js";
 import { createTranslate, firstLanguage } from "./index.js";
 import { stageEn } from "./stage.en.js";
 import { stageEs } from "./stage.es.js";
 
-const english = { ...en, ...stageEn, ...freeEn };
-const spanish = { ...es, ...stageEs, ...freeEs };
+const english = { ...en, ...stageEn, ...freeEn, ...filesEn };
+const spanish = { ...es, ...stageEs, ...freeEs, ...filesEs };
 const web = fileURLToPath(new URL("..", import.meta.url));
 
 /** Every script of the page but the strings themselves and the tests, as one text. */

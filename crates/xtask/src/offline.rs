@@ -11,7 +11,7 @@ pub const WORKER: &str = "worker.js";
 /// Writes the worker for these files, relative to `dist`; `folder` is named by the content of those in it.
 pub fn write_worker(dist: &Path, folder: &str, release: &str, files: &[String]) -> Result<()> {
     let kept: Vec<_> = files.iter().map(|file| if file == "index.html" { "" } else { file }).collect();
-    let constants = [("RELEASE", json!(release)), ("FOLDER", json!(format!("{folder}/"))), ("FILES", json!(kept))];
-    let constants: String = constants.iter().map(|(name, value)| format!("const {name} = {value};\n")).collect();
-    fs::write(dist.join(WORKER), constants + include_str!("worker.js")).context(WORKER)
+    let packed = json!({ "release": release, "folder": format!("{folder}/"), "files": kept });
+    let worker = format!("globalThis.packed = {packed};\n{}", include_str!("worker.js"));
+    fs::write(dist.join(WORKER), worker).context(WORKER)
 }

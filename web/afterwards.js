@@ -1,0 +1,22 @@
+/**
+ * What can wait until the first picture is there: recent designs, dropped files, the worker for use without the network.
+ *
+ * @import { ShellContext } from "./types.d.ts"
+ * @import { Engine } from "./engine.js"
+ */
+import { acceptDrops } from "./drop.js";
+import { opener } from "./files.js";
+import { keepOffline } from "./offline.js";
+import { hasWorker } from "./packed.js";
+import { keepRecent } from "./recent.js";
+import "./strings/files.js";
+
+/**
+ * @param {ShellContext} context
+ * @param {Engine} engine
+ */
+export function begin(context, engine) {
+  keepRecent(context, (design) => engine.check(design));
+  acceptDrops(context, opener(context, engine));
+  if (hasWorker()) void keepOffline(context);
+}
