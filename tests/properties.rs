@@ -233,7 +233,8 @@ fn turned_over(follower: &Follower) -> Follower {
         .expect("as good as before")
 }
 
-/// The program that goes through the same heights backwards. Halves change places; all other laws are their own reverse.
+/// The program that goes through the same heights backwards. Halves change places, parts of β and conditions turn round; all else is
+/// its own reverse.
 fn reversed(program: &Program) -> Program {
     let backwards = |segment: &Segment| {
         let id = segment.law.id;
@@ -253,7 +254,11 @@ fn reversed(program: &Program) -> Program {
                 Data::Conditions(conditions.iter().map(turned).collect())
             }
         };
-        Segment { law, rise: -segment.rise, data, ..segment.clone() }
+        let mut parameters = segment.parameters;
+        if law.parameters.iter().all(|parameter| parameter.quantity == Quantity::Span) {
+            parameters.reverse();
+        }
+        Segment { law, rise: -segment.rise, parameters, data, ..segment.clone() }
     };
     Program::new(&program.segments().iter().rev().map(backwards).collect::<Vec<_>>()).expect("as good as forwards")
 }

@@ -5,6 +5,9 @@
  */
 import { clean } from "./clean.js";
 
+/** Parameters that are parts of β. */
+const PART = /^beta\d$/;
+
 /**
  * The height at which the data of a segment say that it ends.
  * @param {Readonly<Segment>} segment
@@ -34,6 +37,7 @@ export function setEnd({ beta, conditions }, height) {
 export function setBeta(segment, beta) {
   const { beta: old, conditions } = segment;
   segment.beta = beta;
+  for (const [key, value] of Object.entries(segment)) if (PART.test(key) && typeof value === "number") segment[key] = clean((value * beta) / old);
   for (const condition of conditions ?? []) condition.at = condition.at === old ? beta : clean((condition.at * beta) / old);
 }
 

@@ -1,7 +1,7 @@
 /**
  * Book-keeping of the motion program: what is left of the turn, and the one-click ways to complete it.
  *
- * @import { Design, LawEntry, Segment } from "./types.d.ts"
+ * @import { Design, LawEntry, Parameter, Segment } from "./types.d.ts"
  */
 import { clean } from "./clean.js";
 import { fitted, setBeta, setEnd, statedEnd } from "./free-data.js";
@@ -151,7 +151,7 @@ export function remove(draft, index) {
  * high as the program does, or down from there.
  * @param {Design} draft
  * @param {number} index
- * @param {Pick<LawEntry, "id" | "moves" | "free"> & { parameters: { key: string, default: number | null }[] }} law
+ * @param {Pick<LawEntry, "id" | "moves" | "free"> & { parameters: Pick<Parameter, "key" | "quantity" | "default">[] }} law
  */
 export function changeLaw(draft, index, law) {
   const old = draft.segments[index];
@@ -163,7 +163,8 @@ export function changeLaw(draft, index, law) {
   const rise = law.moves && kept === 0 ? likelyRise(draft, index) : kept;
   if (law.free) next[law.free.key] = old[law.free.key] ?? fitted(law.free.first, { beta: old.beta, start, rise });
   else next.rise = rise;
-  for (const { key, default: usual } of law.parameters) {
+  for (const { key, quantity, default: first } of law.parameters) {
+    const usual = first !== null && quantity === "span" ? clean(first * old.beta) : first;
     const value = old[key] ?? usual;
     if (value !== null) next[key] = value;
   }

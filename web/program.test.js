@@ -82,7 +82,7 @@ test("moving a segment keeps all the others in order", () => {
 test("a law that moves gets a rise that closes the program", () => {
   const design = nine();
   design.segments[6] = { law: "dwell", beta: 50, rise: 0 };
-  program.changeLaw(design, 6, { id: "scca", moves: true, free: null, parameters: [{ key: "b", default: 0.25 }] });
+  program.changeLaw(design, 6, { id: "scca", moves: true, free: null, parameters: [{ key: "b", quantity: "ratio", default: 0.25 }] });
   assert.deepEqual(design.segments[6], { law: "scca", beta: 50, rise: -10, b: 0.25 });
   program.changeLaw(design, 6, { id: "dwell", moves: false, free: null, parameters: [] });
   assert.deepEqual(design.segments[6], { law: "dwell", beta: 50, rise: 0 });

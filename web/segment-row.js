@@ -90,19 +90,19 @@ export function createSegmentRow(context, actions) {
   /** @param {LawEntry | undefined} next */
   function adoptLaw(next) {
     law = next;
-    extras = (next?.parameters ?? []).map(({ key, symbol: sign }) => ({
+    extras = (next?.parameters ?? []).map(({ key, symbol: sign, quantity }) => ({
       key,
       field: createNumberField(context, {
         id: `${id}-${key}`,
         label: symbol(sign),
         name: () => t("segments.parameter.of", { name: t(`parameter.${key}`), ...number() }),
-        unit: () => "",
+        unit: () => (quantity === "span" ? "°" : ""),
         read: (design) => {
           const value = design.segments[index]?.[key];
           return typeof value === "number" ? value : undefined;
         },
         write: (draft, value) => set(draft.segments[index], key, value),
-        step: () => 0.05,
+        step: () => (quantity === "span" ? 1 : 0.05),
         path: () => `segments[${index}].${key}`,
         highlight: () => ({ segment: index }),
       }),

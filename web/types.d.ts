@@ -1,7 +1,8 @@
 /** The shapes that cross between the page's modules, and those of the engine as it is seen from here. */
 
 export type Language = "en" | "es";
-export type Quantity = "length" | "angle" | "ratio";
+/** A span is a part of β, in its unit; its default is a part of 1. */
+export type Quantity = "length" | "angle" | "ratio" | "span";
 export type Diagram = "s" | "v" | "a" | "j" | "pressure_angle" | "rho";
 export type ColumnName = "theta" | Diagram | "rho_pitch" | "x" | "y" | "pitch_x" | "pitch_y" | "contact";
 

@@ -90,7 +90,7 @@ function segments(u, lift) {
     if ((MATCHED_LAWS.includes(law) && beside) || (law === "dwell" && last && height !== 0)) law = "cycloidal";
     const target = last ? 0 : law === "dwell" ? height : Math.round(lift * u() * 1000) / 1000;
     const b = u();
-    const own = law === "scca" ? { b, c: (1 - b) * u() } : {};
+    const own = law === "scca" ? { b, c: (1 - b) * u() } : law === "parabolic-blend" ? { beta1: b * beta, beta3: (1 - b) * beta * u() } : {};
     if (law === "polynomial") list.push({ law, beta, conditions: conditions(u, beta, height, target) });
     else list.push({ law, beta, rise: target - height, ...own });
     [angle, height] = [angle + beta, target];

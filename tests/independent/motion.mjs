@@ -71,6 +71,13 @@ const LAWS = {
   dwell: () => [0, 0, 0, 0],
   "constant-velocity": (x) => [x, 1, 0, 0],
   parabolic: (x) => antisymmetric((u) => [2 * u * u, 4 * u, 4, 0], x),
+  "parabolic-blend": (x, { beta, beta1, beta3 }) => {
+    const [first, last] = [Number(beta1) / beta, Number(beta3) / beta];
+    const speed = 1 / (first / 2 + (1 - first - last) + last / 2);
+    if (x < first - ON_A_JOINT) return [(speed * x * x) / (2 * first), (speed * x) / first, speed / first, 0];
+    if (x < 1 - last - ON_A_JOINT) return [speed * (x - first / 2), speed, 0, 0];
+    return [1 - (speed * (1 - x) ** 2) / (2 * last), (speed * (1 - x)) / last, -speed / last, 0];
+  },
   "cubic-1": (x) => antisymmetric((u) => [4 * u ** 3, 12 * u * u, 24 * u, 24], x),
   "cubic-2": polynomial([0, 0, 3, -2]),
   "simple-harmonic": (x) => [(1 - cos(PI * x)) / 2, (PI / 2) * sin(PI * x), (PI ** 2 / 2) * cos(PI * x), (-(PI ** 3) / 2) * sin(PI * x)],

@@ -81,7 +81,7 @@ fn value(parameter: &Parameter) -> BoxedStrategy<f64> {
         ("pivot_angle", _) => (-PI..PI).boxed(),
         (_, Quantity::Length) => (10.0..180.0).boxed(),
         (_, Quantity::Angle) => prop_oneof![Just(0.0), -0.6..0.6].boxed(),
-        (_, Quantity::Ratio) => (0.0..1.0).boxed(),
+        (_, Quantity::Ratio | Quantity::Span) => (0.0..1.0).boxed(),
     }
 }
 

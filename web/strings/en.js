@@ -93,6 +93,8 @@ export const en = {
   "parameter.speed": "Speed",
   "parameter.b": "Sine share",
   "parameter.c": "Constant share",
+  "parameter.beta1": "First parabola",
+  "parameter.beta3": "Last parabola",
   "parameter.beta": "Angle",
   "parameter.rise": "Rise",
 
@@ -108,6 +110,8 @@ export const en = {
   "parameter.speed.hint": "Angular velocity of the cam, constant.",
   "parameter.b.hint": "Share of the segment with sine acceleration, from 0 to 1.",
   "parameter.c.hint": "Share of the segment with constant acceleration; b + c ≤ 1.",
+  "parameter.beta1.hint": "Angle of the parabola that leaves the rest.",
+  "parameter.beta3.hint": "Angle of the parabola that comes to rest; β1 + β3 ≤ β.",
   "parameter.beta.hint": "Angle of the cam that the segment spans.",
   "parameter.rise.hint": "Height gained over the segment; negative for a return.",
 
@@ -120,6 +124,7 @@ export const en = {
   "law.dwell": "Dwell",
   "law.constant-velocity": "Constant velocity",
   "law.parabolic": "Parabolic",
+  "law.parabolic-blend": "Parabola, line, parabola",
   "law.cubic-1": "Cubic 1",
   "law.cubic-2": "Cubic 2",
   "law.simple-harmonic": "Simple harmonic",
@@ -136,7 +141,7 @@ export const en = {
   "law.half-cycloidal-end": "Half cycloidal (end)",
   "law.polynomial-5": "Polynomial, degree 5",
   "law.polynomial-7": "Polynomial, degree 7",
-  "law.polynomial": "Polynomial, conditions",
+  "law.polynomial": "Polynomial, free",
 
   "segments.law": "Law",
   "segments.law.of": "Law of segment {number}",

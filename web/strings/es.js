@@ -93,6 +93,8 @@ export const es = {
   "parameter.speed": "Velocidad",
   "parameter.b": "Parte de seno",
   "parameter.c": "Parte constante",
+  "parameter.beta1": "Primera parábola",
+  "parameter.beta3": "Última parábola",
   "parameter.beta": "Ángulo",
   "parameter.rise": "Elevación",
 
@@ -108,6 +110,8 @@ export const es = {
   "parameter.speed.hint": "Velocidad angular de la leva, constante.",
   "parameter.b.hint": "Parte del tramo con aceleración senoidal, de 0 a 1.",
   "parameter.c.hint": "Parte del tramo con aceleración constante; b + c ≤ 1.",
+  "parameter.beta1.hint": "Ángulo de la parábola que sale del reposo.",
+  "parameter.beta3.hint": "Ángulo de la parábola que llega al reposo; β1 + β3 ≤ β.",
   "parameter.beta.hint": "Ángulo de la leva que abarca el tramo.",
   "parameter.rise.hint": "Altura que se gana en el tramo; negativa en un retorno.",
 
@@ -120,6 +124,7 @@ export const es = {
   "law.dwell": "Detenimiento",
   "law.constant-velocity": "Velocidad constante",
   "law.parabolic": "Parabólica",
+  "law.parabolic-blend": "Parábola, recta, parábola",
   "law.cubic-1": "Cúbica 1",
   "law.cubic-2": "Cúbica 2",
   "law.simple-harmonic": "Armónica simple",
@@ -136,7 +141,7 @@ export const es = {
   "law.half-cycloidal-end": "Semicicloidal (final)",
   "law.polynomial-5": "Polinómica, grado 5",
   "law.polynomial-7": "Polinómica, grado 7",
-  "law.polynomial": "Polinómica, por condiciones",
+  "law.polynomial": "Polinómica libre",
 
   "segments.law": "Ley",
   "segments.law.of": "Ley del tramo {number}",

@@ -9,6 +9,8 @@ pub enum Quantity {
     Angle,
     /// A pure number.
     Ratio,
+    /// A part of β: a pure number inside, in the unit of β at the edges.
+    Span,
 }
 
 /// A number that a law or a follower takes besides those that all of them share.

@@ -418,16 +418,15 @@ impl Program {
                 max: problem.max,
             },
         })?;
-        let scaled = |Piece { until, curve }| Piece { until, curve: curve.scaled(segment.rise, self.heights[k]) };
+        let scaled = |piece: Piece| Piece { curve: piece.curve.scaled(segment.rise, self.heights[k]), ..piece };
         Ok(pieces.into_iter().map(scaled).collect())
     }
 
     fn stretches_of(&self, k: usize, pieces: Vec<Piece>) -> Vec<Stretch> {
         let mut from = 0.0;
-        let scaled = pieces.into_iter().map(|Piece { until, curve }| {
-            let stretch = self.stretch(k, curve, from, until);
-            from = until;
-            stretch
+        let scaled = pieces.into_iter().map(|piece| {
+            let from = std::mem::replace(&mut from, piece.until);
+            self.stretch(k, piece, from)
         });
         scaled.collect()
     }
@@ -435,14 +434,15 @@ impl Program {
     fn matched_stretch(&self, k: usize, orders: usize, start: Svaj, end: Svaj) -> Stretch {
         let in_x = |limit: Svaj, height: f64| Svaj { s: height, ..limit.stretched(1.0 / self.segments[k].beta) };
         let curve = matched_polynomial(orders, in_x(start, self.heights[k]), in_x(end, self.heights[k + 1]));
-        self.stretch(k, curve.into(), 0.0, 1.0)
+        self.stretch(k, Piece::new(1.0, curve), 0.0)
     }
 
-    fn stretch(&self, k: usize, curve: Form, from: f64, until: f64) -> Stretch {
+    fn stretch(&self, k: usize, Piece { until, curve, origin, span }: Piece, from: f64) -> Stretch {
         let (start, end) = (self.borders[k], self.borders[k + 1]);
         let beta = end - start;
         let to = if until >= 1.0 { end } else { start + beta * until };
-        Stretch { from: start + beta * from, to, segment: k, origin: start, beta, per_beta: 1.0 / beta, curve }
+        let (origin, own) = (start + beta * origin, beta * span);
+        Stretch { from: start + beta * from, to, segment: k, origin, beta: own, per_beta: 1.0 / own, curve }
     }
 }
 
@@ -462,7 +462,7 @@ fn climb(segments: &[Segment]) -> Result<(Vec<f64>, Vec<Option<Solved>>), Progra
         let start = heights[k];
         let free = law.free().map(|free| (free.solve)(&Given { data, beta: *beta, start })).transpose();
         let free = free.map_err(|problem| ProgramError { segment: k, problem: ProgramProblem::Data(problem) })?;
-        let end = free.as_ref().and_then(|solved| solved.pieces.last()).map(|piece| piece.curve.at(1.0).s);
+        let end = free.as_ref().and_then(|solved| solved.pieces.last()).map(|piece| piece.at(1.0).s);
         heights.push(end.unwrap_or(start + rise));
         solved.push(free);
     }

@@ -7,6 +7,7 @@ use crate::limits::{
     ANGLE, BETA, MAX_SEGMENTS, MAX_TITLE, OFFSET, RISE, SIZE, SPEED, SUM_ROUNDING, SUM_TOLERANCE, SWING,
     is_unfit_for_title,
 };
+use crate::report::tidy;
 use crate::{CamKind, DataRefusal, Design, DesignError, Measure, Path, Problem, SegmentDesign, SpeedUnit};
 use levalab_core::law::Given;
 use levalab_core::{
@@ -29,7 +30,7 @@ impl Design {
         let program = self.program()?;
         let mut values = self.values;
         for (value, parameter) in values.iter_mut().zip(self.follower.parameters) {
-            *value = to_core(parameter, *value);
+            *value = to_core(parameter, *value, 1.0);
         }
         let follower = match self.kind.travel() {
             Some(_) => Follower::on_travel(self.follower, values),
@@ -82,7 +83,7 @@ impl Design {
                 Quantity::Length if parameter.default.is_none() => SIZE,
                 Quantity::Length => OFFSET,
                 Quantity::Angle => ANGLE,
-                Quantity::Ratio => f64::MIN..=f64::MAX,
+                Quantity::Ratio | Quantity::Span => f64::MIN..=f64::MAX,
             };
             check_range(["follower", parameter.key], value, &range, measure_of(parameter))?;
         }
@@ -178,8 +179,8 @@ impl Design {
                 let beta = self.core_place(segment.beta);
                 let data = segment.data.scaled(beta / segment.beta, up);
                 let given = Given { data: &data, beta, start: start.to_f64() * up };
-                let solved = (free.solve)(&given).map_err(|problem| data::refusal(&here, segment, problem))?;
-                let end = solved.pieces.last().map_or(0.0, |piece| piece.curve.at(1.0).s) / up;
+                let solved = (free.solve)(&given).map_err(|problem| data::refusal(&here, segment, problem, self.stride()))?;
+                let end = solved.pieces.last().map_or(0.0, |piece| piece.at(1.0).s) / up;
                 check_range(here.clone(), end, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
                 Decimal::of(end)
             }
@@ -222,7 +223,7 @@ impl Design {
             let data = segment.data.scaled(beta / segment.beta, to_core_rise(1.0));
             let mut parameters = segment.parameters;
             for (value, parameter) in parameters.iter_mut().zip(segment.law.parameters) {
-                *value = to_core(parameter, *value);
+                *value = to_core(parameter, *value, segment.beta);
             }
             Segment { law: segment.law, beta, rise, parameters, data }
         });
@@ -253,7 +254,7 @@ impl Design {
                 ("segments".into(), Problem::Turn { found, whole: self.kind.whole(), measure: self.stride() })
             }
             ProgramProblem::Data(problem) => match self.segments.get(segment) {
-                Some(segment) => return data::refusal(&here, segment, problem),
+                Some(segment) => return data::refusal(&here, segment, problem, self.stride()),
                 None => (here, Problem::Missing),
             },
             ProgramProblem::Closing { found } => ("segments".into(), Problem::Closing { found: edge(found), measure }),
@@ -263,6 +264,10 @@ impl Design {
             ProgramProblem::Parameter { key, found, min, max } => {
                 let parameters = self.segments.get(segment).map_or(&[][..], |segment| segment.law.parameters);
                 let (measure, edge) = edge_of(parameters, key);
+                let of_beta = |value: f64| tidy(value * self.segments[segment].beta);
+                let span = parameters.iter().any(|p| p.key == key && p.quantity == Quantity::Span);
+                let (measure, edge): (Measure, &dyn Fn(f64) -> f64) =
+                    if span { (self.stride(), &of_beta) } else { (measure, &edge) };
                 (here.join(key), Problem::OutOfRange { found: edge(found), min: edge(min), max: edge(max), measure })
             }
         };
@@ -331,7 +336,7 @@ fn misses(difference: Decimal) -> bool {
 pub(crate) fn measure_of(parameter: &Parameter) -> Measure {
     match parameter.quantity {
         Quantity::Length => Measure::Length,
-        Quantity::Angle => Measure::Degrees,
+        Quantity::Angle | Quantity::Span => Measure::Degrees,
         Quantity::Ratio => Measure::Ratio,
     }
 }

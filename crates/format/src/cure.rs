@@ -1,5 +1,6 @@
 //! What puts a finding right, as numbers that a person would write and as changes to the design file.
 
+use crate::data;
 use crate::decimal::Decimal;
 use crate::report::{scale_of, tidy};
 use crate::write::{number, segment_value};
@@ -149,12 +150,12 @@ fn edits(design: &Design, cam: &Cam, remedy: &Remedy) -> Vec<Edit> {
         }
         Remedy::Travel { value } => {
             let mut edits = vec![edit(["cam", "length"].into(), number(*value))];
-            edits.extend(
-                stretched(design, *value)
-                    .into_iter()
-                    .enumerate()
-                    .map(|(k, beta)| edit(Path::from("segments").join(k).join("beta"), number(beta))),
-            );
+            let each = design.segments.iter().zip(stretched(design, *value)).enumerate();
+            edits.extend(each.map(|(k, (segment, beta))| {
+                let (here, after) = (Path::from("segments").join(k), data::stretched(segment, beta));
+                let within = after.data != Data::None || after.parameters != segment.parameters;
+                if within { edit(here, segment_value(&after)) } else { edit(here.join("beta"), number(beta)) }
+            }));
             edits
         }
         Remedy::Tie { tie, .. } => vec![edit(["conjugate", tie.key()].into(), number(tie.value()))],
@@ -167,7 +168,7 @@ fn edits(design: &Design, cam: &Cam, remedy: &Remedy) -> Vec<Edit> {
                     law,
                     beta: before.beta,
                     rise: rise_of(design, cam, k),
-                    parameters: default_parameters(law),
+                    parameters: default_parameters(law, before.beta),
                     data: Data::None,
                 };
                 Some(edit(Path::from("segments").join(k), segment_value(&after)))
@@ -201,10 +202,10 @@ fn stretched(design: &Design, length: f64) -> Vec<f64> {
     design.segments.iter().enumerate().map(beta).collect()
 }
 
-fn default_parameters(law: &Law) -> [f64; levalab_core::law::MAX_LAW_PARAMETERS] {
+fn default_parameters(law: &Law, beta: f64) -> [f64; levalab_core::law::MAX_LAW_PARAMETERS] {
     let mut values = [0.0; levalab_core::law::MAX_LAW_PARAMETERS];
     for (value, parameter) in values.iter_mut().zip(law.parameters) {
-        *value = crate::design::default_of(parameter).unwrap_or_default();
+        *value = crate::design::default_of(parameter, beta).unwrap_or_default();
     }
     values
 }

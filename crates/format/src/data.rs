@@ -2,10 +2,12 @@
 
 use crate::decimal::Decimal;
 use crate::limits::{DERIVATIVE, RISE, SWING};
+use crate::report::tidy;
 use crate::read::{Field, Object};
 use crate::write::number;
 use crate::{DataRefusal, DesignError, Kind, Measure, Path, Problem, SegmentDesign};
 use levalab_core::law::{Condition, Data, DataKind, DataProblem, Law, MAX_CONDITIONS};
+use levalab_core::Quantity;
 use serde_json::Value;
 
 /// The field of a segment that holds data of a kind.
@@ -88,8 +90,24 @@ pub(crate) fn stated_end(segment: &SegmentDesign) -> Option<Decimal> {
     value.map(Decimal::of)
 }
 
-/// What the core refuses in the data of a segment, in the terms of the design.
-pub(crate) fn refusal(here: &Path, segment: &SegmentDesign, problem: DataProblem) -> DesignError {
+/// The segment over another β: what lies within it keeps its place in proportion.
+pub(crate) fn stretched(segment: &SegmentDesign, beta: f64) -> SegmentDesign {
+    let along = |at: f64| if at == segment.beta { beta } else { tidy(at * beta / segment.beta) };
+    let mut after = SegmentDesign { beta, ..segment.clone() };
+    for (value, parameter) in after.parameters.iter_mut().zip(segment.law.parameters) {
+        if parameter.quantity == Quantity::Span {
+            *value = along(*value);
+        }
+    }
+    match &mut after.data {
+        Data::None => {}
+        Data::Conditions(conditions) => conditions.iter_mut().for_each(|condition| condition.at = along(condition.at)),
+    }
+    after
+}
+
+/// What the core refuses in the data of a segment, in the terms of the design; `stride` is what β is measured in.
+pub(crate) fn refusal(here: &Path, segment: &SegmentDesign, problem: DataProblem, stride: Measure) -> DesignError {
     let Some(key) = data_key(segment.law) else { return DesignError::at(here.clone(), Problem::Missing) };
     let list = here.join(key);
     let (path, problem) = match problem {
@@ -101,10 +119,10 @@ pub(crate) fn refusal(here: &Path, segment: &SegmentDesign, problem: DataProblem
         }
         DataProblem::Outside { item, found, beta } => {
             let problem = Problem::OutOfRange {
-                found: crate::report::tidy(found / beta * segment.beta),
+                found: tidy(found / beta * segment.beta),
                 min: 0.0,
                 max: segment.beta,
-                measure: Measure::Degrees,
+                measure: stride,
             };
             (list.join(item).join("at"), problem)
         }

@@ -98,12 +98,20 @@ pub fn motion_and_contact(kind: &FollowerKind) -> (&'static str, &'static str) {
     kind.id.split_once('-').unwrap_or((kind.id, ""))
 }
 
-/// The value that a design gives when it leaves a parameter out, in the units of the design.
-pub(crate) fn default_of(parameter: &Parameter) -> Option<f64> {
-    parameter.default.map(|value| if parameter.quantity == Quantity::Angle { value.to_degrees() } else { value })
+/// The value that a design gives when it leaves a parameter out, in the units of the design; `beta` is that of its segment.
+pub(crate) fn default_of(parameter: &Parameter, beta: f64) -> Option<f64> {
+    parameter.default.map(|value| match parameter.quantity {
+        Quantity::Angle => value.to_degrees(),
+        Quantity::Span => value * beta,
+        Quantity::Length | Quantity::Ratio => value,
+    })
 }
 
-/// A parameter's value in the units of the core.
-pub(crate) fn to_core(parameter: &Parameter, value: f64) -> f64 {
-    if parameter.quantity == Quantity::Angle { value.to_radians() } else { value }
+/// A parameter's value in the units of the core; `beta` is that of its segment.
+pub(crate) fn to_core(parameter: &Parameter, value: f64, beta: f64) -> f64 {
+    match parameter.quantity {
+        Quantity::Angle => value.to_radians(),
+        Quantity::Span => value / beta,
+        Quantity::Length | Quantity::Ratio => value,
+    }
 }

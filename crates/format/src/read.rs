@@ -285,7 +285,7 @@ impl<'a> Object<'a> {
         self.only(&known)?;
         let mut values = [0.0; N];
         for (value, parameter) in values.iter_mut().zip(parameters) {
-            *value = match default_of(parameter) {
+            *value = match default_of(parameter, 1.0) {
                 Some(default) if parameter.optional && !self.fields.contains_key(parameter.key) => default,
                 _ => self.required(parameter.key)?.number()?,
             };

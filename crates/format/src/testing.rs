@@ -72,7 +72,7 @@ fn candidate(random: &mut Random) -> Design {
     let travel = if oscillating { 20.0 } else { 0.7 * size };
     let mut values = [0.0; 4];
     for (value, parameter) in values.iter_mut().zip(follower.parameters) {
-        let default = default_of(parameter);
+        let default = default_of(parameter, 1.0);
         *value = match (parameter.quantity, default) {
             (_, Some(default)) if random.once_in(2) => default,
             (Quantity::Angle, _) => decimals.round(random.between(-80.0, 80.0)),
@@ -86,7 +86,7 @@ fn candidate(random: &mut Random) -> Design {
     if matches!(kind, CamKind::ConstantBreadth { .. } | CamKind::Translating { .. }) {
         // These need the follower in line with the cam.
         for (value, parameter) in values.iter_mut().zip(follower.parameters) {
-            *value = default_of(parameter).unwrap_or(*value);
+            *value = default_of(parameter, 1.0).unwrap_or(*value);
         }
     }
     let base_radius = if travels { 0.0 } else { decimals.round(size) };
@@ -94,8 +94,9 @@ fn candidate(random: &mut Random) -> Design {
     if let (CamKind::ConstantBreadth { breadth, .. }, Some(last)) = (kind, segments.last_mut()) {
         // Half a turn ends as high as the breadth asks for.
         last.rise = tidy(last.rise + breadth - 2.0 * base_radius);
-        if last.law.is_dwell() {
+        if last.law.is_dwell() || last.law.free().is_some() {
             last.law = Law::by_id("cycloidal").unwrap_or(last.law);
+            last.data = Data::None;
         }
     }
     Design {
@@ -163,7 +164,7 @@ fn segments(random: &mut Random, decimals: Decimals, travel: f64, cycle: f64) ->
         let law = law(random, target == height, segments.last().map(|segment| segment.law));
         let rise = if law.is_dwell() { 0.0 } else { tidy(target - height) };
         height = tidy(height + rise);
-        let parameters = parameters(random, decimals, law);
+        let parameters = parameters(random, decimals, law, beta);
         let span = (beta, tidy(height - rise), height);
         let data = law.free().map_or(Data::None, |free| data(random, decimals, free.data, span));
         let rise = if law.free().is_some() { 0.0 } else { rise };
@@ -182,12 +183,13 @@ fn law(random: &mut Random, level: bool, before: Option<&Law>) -> &'static Law {
     }
 }
 
-/// The fractions of the SCCA family are the only parameters so far; any others get values that are tried by the caller.
-fn parameters(random: &mut Random, decimals: Decimals, law: &Law) -> [f64; MAX_LAW_PARAMETERS] {
+/// Fractions, and parts of β; what does not fit is tried by the caller.
+fn parameters(random: &mut Random, decimals: Decimals, law: &Law, beta: f64) -> [f64; MAX_LAW_PARAMETERS] {
     let mut values = [0.0; MAX_LAW_PARAMETERS];
     for (value, parameter) in values.iter_mut().zip(law.parameters) {
-        let default = default_of(parameter).filter(|_| random.once_in(2));
-        *value = default.unwrap_or_else(|| decimals.round(random.between(0.0, 0.5)));
+        let default = default_of(parameter, beta).filter(|_| random.once_in(2));
+        let whole = if parameter.quantity == Quantity::Span { beta } else { 1.0 };
+        *value = default.unwrap_or_else(|| decimals.round(whole * random.between(0.0, 0.5)));
     }
     values
 }

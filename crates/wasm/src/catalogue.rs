@@ -112,6 +112,7 @@ impl ParameterEntry {
             Quantity::Length => ("length", 1.0),
             Quantity::Angle => ("angle", 1_f64.to_degrees()),
             Quantity::Ratio => ("ratio", 1.0),
+            Quantity::Span => ("span", 1.0),
         };
         let default = parameter.default.map(|value| value * scale);
         Self { key: parameter.key, symbol: parameter.symbol, quantity, default, optional: parameter.optional }
@@ -123,8 +124,7 @@ fn thumbnail(law: &Law) -> Vec<f64> {
     const STEPS: usize = 48;
     let arguments = Arguments { parameters: law.default_parameters(), falling: false, beta: 1.0 };
     let Ok(pieces) = law.unit(arguments) else { return Vec::new() };
-    let at =
-        |x: f64| pieces.iter().find(|piece| x < piece.until).or(pieces.last()).map_or(0.0, |piece| piece.curve.at(x).a);
+    let at = |x: f64| pieces.iter().find(|piece| x < piece.until).or(pieces.last()).map_or(0.0, |piece| piece.at(x).a);
     let values: Vec<f64> = (0..=STEPS).map(|i| at(i as f64 / STEPS as f64)).collect();
     let peak = values.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
     // Rounding shows as noise where the acceleration is nothing at all.

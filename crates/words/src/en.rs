@@ -18,6 +18,7 @@ impl Voice for English {
             "dwell" => "dwell",
             "constant-velocity" => "constant velocity",
             "parabolic" => "parabolic",
+            "parabolic-blend" => "modified uniform",
             "cubic-1" => "cubic 1",
             "cubic-2" => "cubic 2",
             "simple-harmonic" => "simple harmonic",

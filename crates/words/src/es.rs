@@ -18,6 +18,7 @@ impl Voice for Spanish {
             "dwell" => "de detenimiento",
             "constant-velocity" => "de velocidad constante",
             "parabolic" => "parabólica",
+            "parabolic-blend" => "uniforme modificada",
             "cubic-1" => "cúbica 1",
             "cubic-2" => "cúbica 2",
             "simple-harmonic" => "armónica simple",

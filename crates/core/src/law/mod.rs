@@ -21,6 +21,7 @@ mod matched;
 mod modified_sine;
 mod modified_trapezoidal;
 mod parabolic;
+mod parabolic_blend;
 mod polynomial;
 mod polynomial_3_4_5;
 mod polynomial_4_5_6_7;
@@ -42,6 +43,7 @@ pub const LAWS: &[&Law] = &[
     &dwell::LAW,
     &constant_velocity::LAW,
     &parabolic::LAW,
+    &parabolic_blend::LAW,
     &cubic_1::LAW,
     &cubic_2::LAW,
     &simple_harmonic::LAW,
@@ -138,20 +140,36 @@ pub struct ArgumentProblem {
     pub max: f64,
 }
 
-/// One smooth stretch of a law: `curve` holds from the end of the piece before it up to x = `until`.
+/// One smooth stretch of a law, from the end of the piece before it up to x = `until`: y = curve((x − origin)/span).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
     /// The x at which it ends.
     pub until: f64,
-    /// Its curve, in the x of the whole law.
+    /// Its curve.
     pub curve: Form,
+    /// The x at which the variable of the curve is 0.
+    pub origin: f64,
+    /// How much of x a unit of the variable of the curve is.
+    pub span: f64,
 }
 
 impl Piece {
-    /// A piece from its end and its curve.
+    /// A piece from its end and its curve, in the x of the whole law.
     #[must_use]
     pub fn new(until: f64, curve: impl Into<Form>) -> Self {
-        Self { until, curve: curve.into() }
+        Self { until, curve: curve.into(), origin: 0.0, span: 1.0 }
+    }
+
+    /// A piece whose curve runs from 0 to 1 between its own ends, which keeps the digits of narrow ones.
+    #[must_use]
+    pub fn between(from: f64, until: f64, curve: impl Into<Form>) -> Self {
+        Self { until, curve: curve.into(), origin: from, span: until - from }
+    }
+
+    /// y and its three derivatives with respect to the x of the whole law.
+    #[must_use]
+    pub fn at(&self, x: f64) -> Svaj {
+        self.curve.at((x - self.origin) / self.span).stretched(self.span)
     }
 }
 
@@ -247,9 +265,9 @@ mod tests {
     }
 
     /// Value with one-sided limits: the piece is given, so both sides of a joint can be asked for.
-    fn spans(pieces: &[Piece]) -> Vec<(f64, f64, Form)> {
+    fn spans(pieces: &[Piece]) -> Vec<(f64, f64, Piece)> {
         let mut from = 0.0;
-        pieces.iter().map(|p| (std::mem::replace(&mut from, p.until), p.until, p.curve.clone())).collect()
+        pieces.iter().map(|p| (std::mem::replace(&mut from, p.until), p.until, p.clone())).collect()
     }
 
     fn peak(pieces: &[Piece], order: usize) -> f64 {
@@ -305,6 +323,7 @@ mod tests {
             ("dwell", &[0.0, 0.0, 0.0]),
             ("constant-velocity", &[1.0, 0.0, 0.0]),
             ("parabolic", &[2.0, 4.0, 0.0]),
+            ("parabolic-blend", &[4.0 / 3.0, 16.0 / 3.0, 0.0]),
             ("cubic-1", &[3.0, 12.0, 24.0]),
             ("cubic-2", &[1.5, 6.0, 12.0]),
             ("simple-harmonic", &[FRAC_PI_2, 4.9348, 15.503]),
@@ -366,7 +385,7 @@ mod tests {
             (rising(law), law.unit(Arguments { parameters: [0.0; 2], falling: true, beta: 1.0 }).expect("fall"));
         for i in 0..=20 {
             let x = f64::from(i) / 20.0;
-            let reversed = 1.0 - rise[0].curve.at(1.0 - x).s;
+            let reversed = 1.0 - rise[0].at(1.0 - x).s;
             assert!((fall[0].curve.at(x).s - reversed).abs() < 1e-15);
         }
     }

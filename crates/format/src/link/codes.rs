@@ -8,6 +8,7 @@ pub const LAW_CODES: &[(&str, &str)] = &[
     ("dwell", "D"),
     ("constant-velocity", "V"),
     ("parabolic", "P"),
+    ("parabolic-blend", "Pb"),
     ("cubic-1", "K"),
     ("cubic-2", "Kb"),
     ("simple-harmonic", "H"),

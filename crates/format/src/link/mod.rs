@@ -131,7 +131,7 @@ fn write(design: &Design) -> String {
         text.push_str(codes::of_law(segment.law));
         number::write(&mut text, segment.beta);
         let values: Vec<f64> = std::iter::once(segment.rise).chain(segment.parameters).collect();
-        let defaults = std::iter::once(Some(0.0)).chain(defaults_of(segment.law.parameters));
+        let defaults = std::iter::once(Some(0.0)).chain(defaults_of(segment.law.parameters, segment.beta));
         write_values(&mut text, &values, defaults);
         data::write(&mut text, &segment.data);
     }
@@ -143,7 +143,7 @@ fn write(design: &Design) -> String {
 fn write_follower(text: &mut String, design: &Design) {
     text.push_str(codes::of_follower(design.follower));
     number::write(text, design.base_radius);
-    write_values(text, &design.values, defaults_of(design.follower.parameters));
+    write_values(text, &design.values, defaults_of(design.follower.parameters, 1.0));
 }
 
 /// Values with their signs, those at the end left out that are what they are when not told.
@@ -211,8 +211,8 @@ fn usual_speed_unit(kind: CamKind) -> SpeedUnit {
 }
 
 /// What parameters are when they are not told.
-fn defaults_of(parameters: &[Parameter]) -> impl Iterator<Item = Option<f64>> {
-    parameters.iter().map(default_of)
+fn defaults_of(parameters: &[Parameter], beta: f64) -> impl Iterator<Item = Option<f64>> {
+    parameters.iter().map(move |parameter| default_of(parameter, beta))
 }
 
 #[cfg(test)]

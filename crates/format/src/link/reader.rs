@@ -30,7 +30,7 @@ impl<'a> Fields<'a> {
         self.0 = rest;
         let follower = codes::follower(self.code()?)?;
         let base_radius = self.number()?;
-        let values = self.values(defaults_of(follower.parameters))?;
+        let values = self.values(defaults_of(follower.parameters, 1.0))?;
         let length_unit = self.length_unit()?;
         let speed = self.speed()?;
         let rotation = if self.take('c') { Rotation::Clockwise } else { Rotation::CounterClockwise };
@@ -100,7 +100,7 @@ impl<'a> Fields<'a> {
         let law = codes::law(self.code()?)?;
         let beta = self.number()?;
         let [rise] = self.values([Some(0.0)].into_iter())?;
-        let parameters = self.values(defaults_of(law.parameters))?;
+        let parameters = self.values(defaults_of(law.parameters, beta))?;
         Some(SegmentDesign { law, beta, rise, parameters, data: data::read(self, law)? })
     }
 
