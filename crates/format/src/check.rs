@@ -179,7 +179,8 @@ impl Design {
                 let beta = self.core_place(segment.beta);
                 let data = segment.data.scaled(beta / segment.beta, up);
                 let given = Given { data: &data, beta, start: start.to_f64() * up };
-                let solved = (free.solve)(&given).map_err(|problem| data::refusal(&here, segment, problem, self.stride()))?;
+                let solved =
+                    (free.solve)(&given).map_err(|problem| data::refusal(&here, segment, problem, self.stride()))?;
                 let end = solved.pieces.last().map_or(0.0, |piece| piece.at(1.0).s) / up;
                 check_range(here.clone(), end, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
                 Decimal::of(end)

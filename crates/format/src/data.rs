@@ -2,12 +2,12 @@
 
 use crate::decimal::Decimal;
 use crate::limits::{DERIVATIVE, RISE, SWING};
-use crate::report::tidy;
 use crate::read::{Field, Object};
+use crate::report::tidy;
 use crate::write::number;
 use crate::{DataRefusal, DesignError, Kind, Measure, Path, Problem, SegmentDesign};
-use levalab_core::law::{Condition, Data, DataKind, DataProblem, Law, MAX_CONDITIONS};
 use levalab_core::Quantity;
+use levalab_core::law::{Condition, Data, DataKind, DataProblem, Law, MAX_CONDITIONS};
 use serde_json::Value;
 
 /// The field of a segment that holds data of a kind.

@@ -83,7 +83,8 @@ mod tests {
 
     #[test]
     fn parabolas_that_do_not_fit_are_refused() {
-        let refused = |first: f64, last: f64| pieces(Arguments { parameters: [first, last], falling: false, beta: 1.0 }).is_err();
+        let refused =
+            |first: f64, last: f64| pieces(Arguments { parameters: [first, last], falling: false, beta: 1.0 }).is_err();
         assert!(refused(-0.1, 0.2) && refused(0.6, 0.5) && refused(1.1, 0.0) && refused(f64::NAN, 0.1));
         assert!(!refused(1.0, 0.0) && !refused(0.7, 0.3));
     }
