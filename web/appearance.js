@@ -6,15 +6,15 @@
 import { keep, recall } from "./memory.js";
 import { firstLanguage } from "./strings/index.js";
 
-/** What is remembered of the view. @type {("language" | "theme" | "perSecond" | "tab" | "layers")[]} */
-const REMEMBERED = ["language", "theme", "perSecond", "tab", "layers"];
+/** What is remembered of the view. @type {("language" | "theme" | "perSecond" | "tab" | "layers" | "margins")[]} */
+const REMEMBERED = ["language", "theme", "perSecond", "tab", "layers", "margins"];
 
 /** @type {Record<string, readonly unknown[]>} */
 const KNOWN = {
   language: ["en", "es"],
   theme: ["light", "dark", "system"],
   perSecond: [true, false],
-  tab: ["svaj", "pressure_angle", "rho"],
+  tab: ["svaj", "pressure_angle", "rho", "contact"],
 };
 
 /**
@@ -29,6 +29,9 @@ export function rememberedView(usual) {
   if (typeof kept !== "object" || kept === null) return view;
   for (const [key, value] of Object.entries(kept)) {
     if (KNOWN[key]?.includes(value)) view[key] = value;
+    if (key === "margins" && typeof value === "object" && value !== null) {
+      view[key] = Object.fromEntries(Object.entries(value).filter(([, margin]) => margin >= 0 && Number.isFinite(margin)).slice(0, 9));
+    }
     if (key === "layers" && typeof value === "object" && value !== null) {
       const known = Object.entries(value).filter(([name, shown]) => name in usual.layers && typeof shown === "boolean");
       view[key] = { ...usual.layers, ...Object.fromEntries(known) };

@@ -14,12 +14,14 @@ import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 import { atTheta, drawOverlay, thetaAt } from "./stage/overlay.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
-import { PLOTS, TABS, rangeOf, styleOf, unitOf } from "./stage/plots.js";
+import { PLOTS, TABS, rangeOf, styleOf, tabOf, unitOf } from "./stage/plots.js";
 import { vectorDrawings } from "./stage/print.js";
 
 /** plotters draws at whole pixels: with fewer than two of them for a CSS pixel slow curves show steps. */
 const LEAST_RATIO = 2;
 const SHARPEST = 3;
+/** What the tabs are called on their buttons. @type {Readonly<Record<Tab, string>>} */
+const SHORT = { svaj: "SVAJ", pressure_angle: "φ", rho: "ρ", contact: "q" };
 /** Room for the labels of θ under the last diagram, in heights of the type. */
 const FOOT = 1.9;
 
@@ -33,11 +35,12 @@ export function mount(root, context) {
   const overlay = h("canvas", {
     class: "diagram-overlay", tabindex: "0", role: "slider", "aria-valuemin": "0", "aria-valuemax": "360", "aria-orientation": "horizontal",
   });
-  const note = h("p", { class: "diagram-note" });
+  const legend = h("div", { id: "legend", hidden: true });
+  const note = h("div", { class: "diagram-note", hidden: true });
   const plots = h("div", { class: "diagram-plots" }, ...Object.values(figures).map(({ element }) => element), overlay);
-  const tabs = choice("diagram-tab", ["svaj", "pressure_angle", "rho"], (value) => store.set({ tab: /** @type {Tab} */ (value) }));
+  const tabs = choice("diagram-tab", ["svaj", "pressure_angle", "rho", "contact"], (value) => store.set({ tab: /** @type {Tab} */ (value) }));
   const timing = choice("diagram-timing", ["radian", "second"], (value) => store.set({ perSecond: value === "second" }));
-  root.append(plots, note, h("div", { class: "diagram-bar" }, tabs.element, timing.element));
+  root.append(plots, legend, note, h("div", { class: "diagram-bar" }, tabs.element, timing.element));
 
   const surface = /** @type {CanvasRenderingContext2D} */ (overlay.getContext("2d"));
   let palette = readPalette();
@@ -49,6 +52,10 @@ export function mount(root, context) {
   /** @type {Row[]} */
   let rows = [];
   let hover = NaN;
+  /** @type {Tab | null} */
+  let arranged = null;
+  /** @type {ReturnType<typeof import("./parameters.js").createExplanation> | null} */
+  let explanation = null;
   let dragging = false;
   let drawing = false;
 
@@ -61,17 +68,20 @@ export function mount(root, context) {
     palette = readPalette();
     schedule();
   });
-  store.subscribe(["report", "perSecond", "language", "tab"], (_, changed) => {
-    if (changed.has("tab") || changed.has("language") || changed.has("perSecond")) word();
-    if (changed.has("tab")) {
+  store.subscribe(["report", "perSecond", "language", "tab", "margins", "beside"], (_, changed) => {
+    const other = tabOf(store.state) !== arranged;
+    if (other || changed.has("language") || changed.has("perSecond")) word();
+    if (other) {
       arrange();
       measure();
     }
+    tabs.offer("contact", store.state.report.summary.contact !== undefined);
     drawAll();
     caption();
   });
   const tell = atRest(() => {
     const { report, perSecond } = store.state;
+    void explain();
     for (const { plot, canvas } of Object.values(figures)) {
       const name = t(`diagram.name.${plot.diagram}`);
       const letter = perSecond ? plot.perSecond : plot.letter;
@@ -97,7 +107,8 @@ export function mount(root, context) {
   }
 
   function arrange() {
-    const shown = TABS[store.state.tab];
+    arranged = tabOf(store.state);
+    const shown = TABS[arranged];
     for (const { plot, element } of Object.values(figures)) element.hidden = !shown.includes(plot.diagram);
   }
 
@@ -116,7 +127,7 @@ export function mount(root, context) {
     width = plots.clientWidth;
     height = plots.clientHeight;
     ratio = Math.min(Math.max(devicePixelRatio, LEAST_RATIO), SHARPEST);
-    const shown = TABS[store.state.tab];
+    const shown = TABS[tabOf(store.state)];
     const foot = Math.round(palette.chartSize * FOOT);
     const each = Math.floor((height - foot) / shown.length);
     const { element, canvas } = figures[/** @type {Diagram} */ (shown[0])];
@@ -140,10 +151,10 @@ export function mount(root, context) {
     if (!ready()) return;
     if (width === 0 || height === 0) measure();
     if (width === 0 || height === 0) return;
-    const { perSecond, language } = store.state;
+    const { perSecond } = store.state;
     rows = slots.map(({ diagram, left, top, wide, tall, labels }) => {
       const { plot, canvas } = figures[diagram];
-      const area = lab().draw(canvas, diagram, styleOf(plot, palette, { width: wide, height: tall, ratio, perSecond, labels, language }));
+      const area = lab().draw(canvas, diagram, styleOf(plot, palette, store.state, { width: wide, height: tall, ratio, labels }));
       return { area, x: left, y: top, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
     });
     drawCursor();
@@ -164,13 +175,12 @@ export function mount(root, context) {
   }
 
   function word() {
-    const { perSecond, tab } = store.state;
+    const { perSecond } = store.state;
+    const tab = tabOf(store.state);
     root.setAttribute("aria-label", t("diagram.title"));
     overlay.setAttribute("aria-label", t("diagram.cursor"));
-    tabs.word(t("diagram.choose"), (value) => (value === "svaj" ? "SVAJ" : value === "rho" ? "ρ" : "φ"), (value) => t(`diagram.tab.${value}`), tab);
+    tabs.word(t("diagram.choose"), (value) => SHORT[/** @type {Tab} */ (value)], (value) => t(`diagram.tab.${value}`), tab);
     timing.word(t("diagram.timing"), (value) => t(`diagram.per.${value}.short`), (value) => t(`diagram.per.${value}`), perSecond ? "second" : "radian");
-    note.textContent = tab === "svaj" ? "" : t(`diagram.note.${tab}`);
-    note.hidden = tab === "svaj";
   }
 
   /** Letters, names and units; the sentences for those who cannot see the curves follow when the hand rests. */
@@ -182,6 +192,16 @@ export function mount(root, context) {
       write(unit, unitOf(plot, report, perSecond));
     }
     tell();
+  }
+
+  /** What the diagram of a parameter says of this cam: loaded with the first of them that is looked at. */
+  async function explain() {
+    const tab = tabOf(store.state);
+    note.hidden = tab === "svaj";
+    if (note.hidden) return;
+    const { createExplanation } = await import("./parameters.js");
+    explanation ??= createExplanation(note, context);
+    explanation.update();
   }
 
   /**
@@ -272,11 +292,10 @@ export function mount(root, context) {
   });
 
   vectorDrawings(() =>
-    TABS[store.state.tab].map((diagram) => {
+    TABS[tabOf(store.state)].map((diagram) => {
       const { plot, canvas } = figures[diagram];
-      const { perSecond, language } = store.state;
-      const given = { width: canvas.clientWidth, height: canvas.clientHeight, ratio: 1, perSecond, labels: true, language };
-      return { canvas, svg: lab().svg(diagram, styleOf(plot, paperPalette(), given)) };
+      const given = { width: canvas.clientWidth, height: canvas.clientHeight, ratio: 1, labels: true };
+      return { canvas, svg: lab().svg(diagram, styleOf(plot, paperPalette(), store.state, given)) };
     }),
   );
 }

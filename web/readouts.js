@@ -54,7 +54,7 @@ const GROUPS = [
     { name: "pressure_angle", letter: "φ", timed: "φ", place: AT.pressureAngle, placeTimed: AT.pressureAngle, token: "phi", size: () => 90, unit: () => "°" },
     // A radius of curvature goes to infinity: its decimals follow the cam's size, not its own.
     { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism }) => mechanism.reach, unit: ({ units }) => units.length },
-    { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "ink", size: largest("contact"), unit: ({ units }) => units.length },
+    { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "q", size: largest("contact"), unit: ({ units }) => units.length },
     { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, unit: ({ units }) => `${units.length}/rad` },
   ],
 ];

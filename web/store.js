@@ -26,6 +26,8 @@ function initialView() {
     theme: "system",
     projector: false,
     highlight: null,
+    margins: {},
+    beside: [],
   };
 }
 

@@ -3,8 +3,8 @@
 export type Language = "en" | "es";
 /** A span is a part of β, in its unit; its default is a part of 1. */
 export type Quantity = "length" | "angle" | "ratio" | "span";
-export type Diagram = "s" | "v" | "a" | "j" | "pressure_angle" | "rho";
-export type ColumnName = "theta" | Diagram | "rho_pitch" | "x" | "y" | "pitch_x" | "pitch_y" | "contact";
+export type Diagram = "s" | "v" | "a" | "j" | "pressure_angle" | "rho" | "contact";
+export type ColumnName = "theta" | Diagram | "rho_pitch" | "x" | "y" | "pitch_x" | "pitch_y";
 
 export interface Parameter {
   key: string;
@@ -103,6 +103,8 @@ export interface ChartStyle {
   limit: string;
   mark: string;
   dash: number[];
+  /** Shows the ends of a face that is so much longer at each end than the contact needs. */
+  margin?: number;
   stroke: number;
   per_second: boolean;
   x_labels: boolean;
@@ -154,9 +156,11 @@ export interface Report {
   /** The fragment without `#`; empty when the design is too long for a link. */
   link: string;
   verdict: { level: Level; headline: string; findings: Finding[] };
-  summary: Partial<Record<Diagram | "V" | "A" | "J" | "rho_pitch" | "contact", Range>>;
+  summary: Partial<Record<Diagram | "V" | "A" | "J" | "rho_pitch", Range>>;
   /** The sharpest convex place of the profile; null where nothing is convex. */
   least_convex: { value: number; at: number } | null;
+  /** The tightest hollow, as a negative ρ; null where nothing is hollow. */
+  tightest_hollow: { value: number; at: number } | null;
   joints: { theta: number; segment: number; jump: "s" | "v" | "a" | "j" | null }[];
   borders: number[];
   omega: number;
@@ -198,6 +202,18 @@ export interface Lab {
   limits(border: number): Float64Array;
   draw(canvas: HTMLCanvasElement, diagram: Diagram, style: ChartStyle): PlotArea;
   svg(diagram: Diagram, style: ChartStyle): string;
+  /** Draws this cam alone from now on. */
+  alone(): void;
+  /** Draws the cam of another laboratory behind this one's from now on. */
+  beside(other: Lab, colour: string, dash: Float64Array): void;
+  /** In the order of `FIGURES`; NaN where one does not apply. */
+  figures(): Float64Array;
+  /** The program by every law that fits: place of the law in the catalogue (−1: as it is), smallest base radius, figures. */
+  tournament(): Float64Array;
+  /** The current design with one law for every segment that moves. */
+  by_law(place: number): Design;
+  /** Left and right end of the face that the contact needs with a margin at each end, and its length; empty without a face. */
+  face(margin: number): Float64Array;
 }
 
 /** What lights up in the mechanism, the diagrams and the help drawing. */
@@ -209,7 +225,7 @@ export interface Highlight {
 }
 
 export type Theme = "light" | "dark" | "system";
-export type Tab = "svaj" | "pressure_angle" | "rho";
+export type Tab = "svaj" | "pressure_angle" | "rho" | "contact";
 
 export interface State {
   /** The design as edited, which may be wrong: then `error` is set and `stale` is true. */
@@ -230,6 +246,21 @@ export interface State {
   theme: Theme;
   projector: boolean;
   highlight: Highlight | null;
+  /** What a face is longer at each end than its contact needs, by the unit of length. */
+  margins: Record<string, number>;
+  /** The cams that are drawn beside this one. */
+  beside: readonly Beside[];
+}
+
+/** A cam drawn beside that of the design: its outline in its own frame, and its look. */
+export interface Beside {
+  name: string;
+  outline: Path2D;
+  sense: 1 | -1;
+  reach: number;
+  unit: string;
+  colour: string;
+  dash: number[];
 }
 
 export type ViewState = Omit<State, "design" | "report" | "error" | "stale">;

@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { Lab, initSync } from "../../web/pkg/levalab_wasm.js";
+import { Lab, catalogue, initSync } from "../../web/pkg/levalab_wasm.js";
 
 /** Both run the same arithmetic; only sin, cos and their like may differ, in the last digits. Relative to the column's scale. */
 const TOLERANCE = 1e-12;
@@ -48,5 +48,30 @@ function compare(name, found, expected) {
     if (value === null) return assert(!Number.isFinite(found[row]), `${name}[${row}]: ${found[row]}, natively not finite`);
     const error = Math.abs(found[row] - value) / scale;
     assert(error <= TOLERANCE, `${name}[${row}]: ${found[row]}, natively ${value}`);
+  });
+}
+
+for (const example of examples) {
+  test(`${example}: a tournament tells what each design tells on its own`, () => {
+    const lab = new Lab();
+    lab.open(JSON.parse(readFileSync(path.join(root, "examples", example), "utf8")), SAMPLES, "en");
+    const { laws } = catalogue();
+    const numbers = lab.tournament();
+    const width = 2 + lab.figures().length;
+    assert.deepEqual(numbers.slice(2, width), lab.figures());
+    const count = numbers.length / width;
+    assert(Number.isInteger(count) && count > 5, `${count} contenders`);
+    for (let i = 1; i < count; i++) {
+      const [place, , ...figures] = numbers.slice(i * width, (i + 1) * width);
+      const { id } = laws[place];
+      const alone = new Lab();
+      const opened = alone.open(lab.by_law(place), SAMPLES, "en");
+      assert(!("error" in opened), JSON.stringify(opened));
+      assert.deepEqual([...alone.figures()], figures, id);
+      assert.equal(["acceptable", "low-speed", "unacceptable"].indexOf(opened.report.verdict.level), figures[0], id);
+      const { v, pressure_angle: angle } = opened.report.summary;
+      if (Number.isFinite(figures[2])) assert.equal(Math.max(Math.abs(v?.min ?? NaN), Math.abs(v?.max ?? NaN)), figures[2], id);
+      assert.deepEqual([angle?.min, angle?.max], figures.slice(8, 10), id);
+    }
   });
 }

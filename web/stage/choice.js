@@ -17,6 +17,13 @@ export function choice(name, values, onchange) {
   return {
     element,
     /**
+     * @param {string} value
+     * @param {boolean} offered
+     */
+    offer(value, offered) {
+      for (const option of options) if (option.value === value) option.label.hidden = !offered;
+    },
+    /**
      * @param {string} title
      * @param {(value: string) => string} short
      * @param {(value: string) => string} long

@@ -1,6 +1,6 @@
 /** The page's colours, strokes and dashes as a canvas can use them, read from the CSS tokens when they change. */
 
-/** @typedef {"s" | "v" | "a" | "j" | "phi" | "rho" | "base" | "prime" | "pitch" | "axis"} DashName */
+/** @typedef {"s" | "v" | "a" | "j" | "phi" | "rho" | "q" | "base" | "prime" | "pitch" | "axis"} DashName */
 
 /** @typedef {ReturnType<typeof readPalette>} Palette */
 
@@ -14,7 +14,7 @@ export function readPalette(root = document.documentElement) {
   return {
     ink: token("ink"), muted: token("muted"), grid: token("grid"), line: token("line"),
     paper: token("paper"), panel: token("panel"), accent: token("accent"),
-    s: token("s"), v: token("v"), a: token("a"), j: token("j"), phi: token("phi"), rho: token("rho"),
+    s: token("s"), v: token("v"), a: token("a"), j: token("j"), phi: token("phi"), rho: token("rho"), q: token("q"),
     cam: token("cam"), camEdge: token("cam-edge"), steel: token("steel"),
     base: token("base-circle"), prime: token("prime-circle"), pitch: token("pitch-curve"),
     good: token("good"), low: token("low"), bad: token("bad"),
@@ -23,7 +23,7 @@ export function readPalette(root = document.documentElement) {
     chartSize: parseFloat(token("chart-font-size")) || 11,
     stroke: parseFloat(token("stroke")) || 1.5,
     dash: {
-      s: dash("s"), v: dash("v"), a: dash("a"), j: dash("j"), phi: dash("phi"), rho: dash("rho"),
+      s: dash("s"), v: dash("v"), a: dash("a"), j: dash("j"), phi: dash("phi"), rho: dash("rho"), q: dash("q"),
       base: dash("base"), prime: dash("prime"), pitch: dash("pitch"), axis: dash("axis"),
     },
   };

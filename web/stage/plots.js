@@ -1,7 +1,7 @@
 /**
  * The diagrams as a list: which belong together, and everything a drawing of one needs.
  *
- * @import { ChartStyle, Diagram, Language, Report, Tab } from "../types.d.ts"
+ * @import { ChartStyle, Diagram, Report, State, Tab } from "../types.d.ts"
  * @import { Palette } from "./palette.js"
  */
 import { AT } from "./instant.js";
@@ -11,7 +11,7 @@ import { AT } from "./instant.js";
  * @property {Diagram} diagram
  * @property {string} letter
  * @property {string} perSecond          letter of the time derivative
- * @property {"s" | "v" | "a" | "j" | "phi" | "rho"} token  of colour and dash
+ * @property {"s" | "v" | "a" | "j" | "phi" | "rho" | "q"} token  of colour and dash
  * @property {number} place              in the instant, per radian
  * @property {number} timed              in the instant, per second
  */
@@ -24,10 +24,11 @@ export const PLOTS = Object.freeze({
   j: { diagram: "j", letter: "j", perSecond: "J", token: "j", place: AT.j, timed: AT.J },
   pressure_angle: { diagram: "pressure_angle", letter: "φ", perSecond: "φ", token: "phi", place: AT.pressureAngle, timed: AT.pressureAngle },
   rho: { diagram: "rho", letter: "ρ", perSecond: "ρ", token: "rho", place: AT.rho, timed: AT.rho },
+  contact: { diagram: "contact", letter: "q", perSecond: "q", token: "q", place: AT.contact, timed: AT.contact },
 });
 
 /** @type {Readonly<Record<Tab, readonly Diagram[]>>} */
-export const TABS = Object.freeze({ svaj: ["s", "v", "a", "j"], pressure_angle: ["pressure_angle"], rho: ["rho"] });
+export const TABS = Object.freeze({ svaj: ["s", "v", "a", "j"], pressure_angle: ["pressure_angle"], rho: ["rho"], contact: ["contact"] });
 
 /**
  * Unit of a diagram's values.
@@ -37,7 +38,7 @@ export const TABS = Object.freeze({ svaj: ["s", "v", "a", "j"], pressure_angle: 
  */
 export function unitOf(plot, { units }, perSecond) {
   if (plot.diagram === "pressure_angle") return "°";
-  if (plot.diagram === "rho") return units.length;
+  if (plot.diagram === "rho" || plot.diagram === "contact") return units.length;
   return units[/** @type {keyof typeof units} */ (perSecond ? plot.perSecond : plot.letter)];
 }
 
@@ -51,12 +52,20 @@ export const rangeOf = (plot, { summary }, perSecond) =>
   summary[/** @type {keyof typeof summary} */ (perSecond && plot.timed !== plot.place ? plot.perSecond : plot.diagram)];
 
 /**
+ * The tab that is shown: a contact that walks along a face is there for flat ones only.
+ * @param {Readonly<State>} state
+ * @returns {Tab}
+ */
+export const tabOf = ({ tab, report }) => (tab === "contact" && !report?.summary.contact ? "svaj" : tab);
+
+/**
  * @param {Plot} plot
  * @param {Palette} palette
- * @param {{ width: number, height: number, ratio: number, perSecond: boolean, labels: boolean, language: Language }} given
+ * @param {Readonly<State>} state
+ * @param {{ width: number, height: number, ratio: number, labels: boolean }} given
  * @returns {ChartStyle}
  */
-export function styleOf(plot, palette, { width, height, ratio, perSecond, labels, language }) {
+export function styleOf(plot, palette, { perSecond, language, margins, report }, { width, height, ratio, labels }) {
   return {
     width,
     height,
@@ -72,6 +81,7 @@ export function styleOf(plot, palette, { width, height, ratio, perSecond, labels
     mark: palette.bad,
     dash: palette.dash[plot.token],
     stroke: palette.stroke,
+    ...(plot.diagram === "contact" ? { margin: margins[report.units.length] ?? 0 } : {}),
     per_second: perSecond,
     x_labels: labels,
     decimal_comma: language === "es",

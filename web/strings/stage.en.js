@@ -47,6 +47,7 @@ export const stageEn = {
   "diagram.tab.svaj": "displacement, velocity, acceleration, jerk",
   "diagram.tab.pressure_angle": "pressure angle",
   "diagram.tab.rho": "radius of curvature",
+  "diagram.tab.contact": "contact on the face and length of the face",
   "diagram.timing": "Derivatives",
   "diagram.per.radian": "per radian of cam",
   "diagram.per.second": "per second",
@@ -58,13 +59,10 @@ export const stageEn = {
   "diagram.name.j": "jerk",
   "diagram.name.pressure_angle": "pressure angle",
   "diagram.name.rho": "radius of curvature",
+  "diagram.name.contact": "contact on the face",
   "diagram.alternative": "{name} {letter} against θ: from {min} to {max}; least at {minAt}, greatest at {maxAt}.",
   "diagram.alternative.rho": "{name} {letter} against θ: {value} where the profile is sharpest, at {at}; infinite where it is straight.",
   "diagram.alternative.none": "{name} {letter} against θ: does not apply to this follower.",
-  "diagram.note.pressure_angle":
-    "φ is the angle between the push of the cam, along the contact normal, and the way the follower moves. Beyond the limit the push goes into the guide instead of the lift.",
-  "diagram.note.rho":
-    "ρ is the radius of the circle that fits the profile best at the contact: positive where the cam is convex. At ρ = 0 it has a cusp; a roller does not fit into a hollow narrower than itself.",
 
   "readout.title": "Instant values",
   "readout.theta": "cam angle",

@@ -47,6 +47,7 @@ export const stageEs = {
   "diagram.tab.svaj": "desplazamiento, velocidad, aceleración y sobreaceleración",
   "diagram.tab.pressure_angle": "ángulo de presión",
   "diagram.tab.rho": "radio de curvatura",
+  "diagram.tab.contact": "contacto en la cara y longitud de la cara",
   "diagram.timing": "Derivadas",
   "diagram.per.radian": "por radián de leva",
   "diagram.per.second": "por segundo",
@@ -58,13 +59,10 @@ export const stageEs = {
   "diagram.name.j": "sobreaceleración",
   "diagram.name.pressure_angle": "ángulo de presión",
   "diagram.name.rho": "radio de curvatura",
+  "diagram.name.contact": "contacto en la cara",
   "diagram.alternative": "{name} {letter} en función de θ: de {min} a {max}; mínimo en {minAt}, máximo en {maxAt}.",
   "diagram.alternative.rho": "{name} {letter} en función de θ: {value} donde el perfil es más agudo, en {at}; infinito donde es recto.",
   "diagram.alternative.none": "{name} {letter} en función de θ: no procede con este seguidor.",
-  "diagram.note.pressure_angle":
-    "φ es el ángulo entre el empuje de la leva, que va según la normal en el contacto, y la dirección en que se mueve el seguidor. Más allá del límite, el empuje carga la guía en vez de elevar.",
-  "diagram.note.rho":
-    "ρ es el radio del círculo que mejor se ciñe al perfil en el contacto: positivo donde la leva es convexa. En ρ = 0 hay un pico; y un rodillo no cabe en un hueco más cerrado que él.",
 
   "readout.title": "Valores instantáneos",
   "readout.theta": "ángulo de la leva",

@@ -10,11 +10,13 @@ import { freeEs } from "./free.es.js";
 import { filesEn } from "./files.en.js";
 import { filesEs } from "./files.es.js";
 import { createTranslate, firstLanguage } from "./index.js";
+import { parametersEn } from "./parameters.en.js";
+import { parametersEs } from "./parameters.es.js";
 import { stageEn } from "./stage.en.js";
 import { stageEs } from "./stage.es.js";
 
-const english = { ...en, ...stageEn, ...freeEn, ...filesEn };
-const spanish = { ...es, ...stageEs, ...freeEs, ...filesEs };
+const english = { ...en, ...stageEn, ...freeEn, ...filesEn, ...parametersEn };
+const spanish = { ...es, ...stageEs, ...freeEs, ...filesEs, ...parametersEs };
 const web = fileURLToPath(new URL("..", import.meta.url));
 
 /** Every script of the page but the strings themselves and the tests, as one text. */

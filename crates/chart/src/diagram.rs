@@ -12,6 +12,9 @@ const NOTHING: f64 = 1e-9;
 /// How far a limited quantity is shown, as a multiple of its limit: a little of what lies beyond is seen.
 const BEYOND: f64 = 1.12;
 
+/// How much is shown beyond the ends of a face, as a part of its length.
+const BEYOND_FACE: f64 = 0.08;
+
 /// A quantity over one turn, ready to be drawn at any size. θ in degrees, values in the units of the design.
 #[derive(Clone, Debug)]
 pub struct Diagram {
@@ -31,6 +34,10 @@ pub struct Diagram {
     /// Places worth a dot.
     pub(crate) extremes: Vec<Point>,
     pub(crate) extent: Extent,
+    /// Radius of the follower's disc; none for a face.
+    pub(crate) radius: Option<f64>,
+    /// The same quantity of other cams, drawn behind.
+    pub(crate) beside: Vec<Diagram>,
 }
 
 /// θ and a value.
@@ -66,10 +73,59 @@ pub(crate) struct Extent {
     pub empty: bool,
 }
 
+impl Extent {
+    /// What shows both.
+    fn with(self, other: Self) -> Self {
+        match (self.empty, other.empty) {
+            (true, false) => other,
+            (false, true) => self,
+            _ => Self {
+                low: self.low.min(other.low),
+                high: self.high.max(other.high),
+                cut: self.cut || other.cut,
+                empty: self.empty && other.empty,
+            },
+        }
+    }
+}
+
 impl Diagram {
     /// Gathers a diagram. `analysis` must be that of `cam`; its rows are the points of the curve, and joints are added.
     #[must_use]
     pub fn of(quantity: Quantity, cam: &Cam, analysis: &Analysis, timing: Timing) -> Self {
+        let mut diagram = Self::whole(quantity, cam, analysis, timing);
+        diagram.cut();
+        diagram
+    }
+
+    /// The same for several cams: the last in front, the others behind it in the looks that
+    /// [`Style::others`](crate::Style::others) gives them. None without any.
+    #[must_use]
+    pub fn among(quantity: Quantity, cams: &[(&Cam, &Analysis, Timing)]) -> Option<Self> {
+        let each = cams.iter().map(|&(cam, analysis, timing)| Self::whole(quantity, cam, analysis, timing));
+        let mut diagrams: Vec<Self> = each.collect();
+        let extent = diagrams.iter().map(|diagram| diagram.extent).reduce(Extent::with)?;
+        for diagram in &mut diagrams {
+            diagram.extent = extent;
+            diagram.cut();
+        }
+        let front = diagrams.pop()?;
+        Some(Self { beside: diagrams, ..front })
+    }
+
+    /// Shows the ends of a face that is longer by `margin` at each end than the contact needs, and what lies beyond them.
+    #[must_use]
+    pub fn with_face(mut self, analysis: &Analysis, margin: f64) -> Self {
+        let Some(contact) = analysis.summary.reach.filter(|_| self.quantity == Quantity::Contact) else { return self };
+        let (low, high) = (contact.min - margin, contact.max + margin);
+        self.limits.extend([low, high]);
+        self.forbidden = vec![(f64::NEG_INFINITY, low), (high, f64::INFINITY)];
+        let room = BEYOND_FACE * (high - low);
+        self.extent = self.extent.with(Extent { low: low - room, high: high + room, cut: false, empty: false });
+        self
+    }
+
+    fn whole(quantity: Quantity, cam: &Cam, analysis: &Analysis, timing: Timing) -> Self {
         let factor = quantity.factor(cam, timing);
         let mut diagram = gather(quantity, cam, analysis, factor);
         match quantity {
@@ -89,6 +145,13 @@ impl Diagram {
     #[must_use]
     pub fn quantity(&self) -> Quantity {
         self.quantity
+    }
+
+    /// Leaves out what lies beyond the extent.
+    fn cut(&mut self) {
+        if self.extent.cut {
+            radius::cut(self);
+        }
     }
 
     /// The extent of the data and zero.
@@ -125,6 +188,10 @@ impl Diagram {
             Quantity::J => summary.j,
             Quantity::PressureAngle => summary.pressure_angle,
             Quantity::Rho => return,
+            Quantity::Contact => match summary.reach {
+                Some(reach) => reach,
+                None => return,
+            },
         };
         let significant = NOTHING * (self.extent.high - self.extent.low);
         if self.extent.empty || (found.max - found.min) * factor <= significant {

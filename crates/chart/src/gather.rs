@@ -16,7 +16,7 @@ const SNAP: f64 = 1e-11;
 /// Rows of the analysis and both limits at every joint; a new run wherever they differ.
 pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor: f64) -> Diagram {
     let rows = analysis.column(Column::Theta).unwrap_or_default();
-    let values = analysis.column(quantity.column()).unwrap_or_default();
+    let values = analysis.column(quantity.column()).filter(|_| quantity.applies(cam));
     let stretches = cam.program.stretches();
     let mut diagram = Diagram {
         quantity,
@@ -29,6 +29,8 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor:
         forbidden: Vec::new(),
         extremes: Vec::new(),
         extent: Extent { low: 0.0, high: 0.0, cut: false, empty: false },
+        radius: (!cam.follower.is_flat()).then(|| cam.follower.disc_radius()),
+        beside: Vec::new(),
     };
     let value = |stretch: &Stretch, theta: f64| quantity.of(cam, stretch.at(theta)) * factor;
     let mut start = 0;
@@ -52,8 +54,9 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor:
         if stretch.is_still() {
             // Two ends are a straight line.
         } else if after - row + 1 >= LEAST_PARTS {
-            let inside = rows[row..after].iter().zip(&values[row..after]);
-            diagram.points.extend(inside.map(|(&theta, value)| (place(cam, theta), value * factor)));
+            let inside = row..after;
+            let value = |k: usize| values.map_or_else(|| value(stretch, rows[k]), |values| values[k] * factor);
+            diagram.points.extend(inside.map(|k| (place(cam, rows[k]), value(k))));
         } else {
             let part = (stretch.to - stretch.from) / LEAST_PARTS as f64;
             let inside = (1..LEAST_PARTS).map(|i| stretch.from + part * i as f64);

@@ -53,9 +53,15 @@ pub(crate) fn lay_out(diagram: &Diagram, style: &Style) -> (Frame, Sketch) {
     sketch.marks.push(Mark::Band { from: (0, 0), to: (frame.width, frame.height), colour });
     let ticks = axes::ticks(diagram, &frame);
     axes::draw(&mut sketch, diagram, &frame, style, ticks);
-    trace::steps(&mut sketch, diagram, &frame, style);
-    let runs = trace::curve(&mut sketch, diagram, &frame, style);
-    trace::arrows(&mut sketch, diagram, &frame, style);
+    let mut runs = Vec::new();
+    for (k, curve) in diagram.beside.iter().chain([diagram]).enumerate() {
+        let look = style.others.get(k).filter(|_| k < diagram.beside.len());
+        let (colour, dash) = look.map_or((style.curve, Dash::Curve), |(colour, _)| (*colour, Dash::Other(k)));
+        let step = if look.is_some() { colour.mix(trace::QUIET_STEP) } else { trace::step_colour(diagram, style) };
+        trace::steps(&mut sketch, curve, &frame, step);
+        trace::curve(&mut sketch, curve, &frame, style, (colour, dash), &mut runs);
+        trace::arrows(&mut sketch, curve, &frame, style, colour);
+    }
     trace::marks(&mut sketch, diagram, &frame, style);
     let mut space = Space::new(diagram, &frame, style, &runs);
     axes::label_values(&mut sketch, &frame, style, ticks, &mut space);
@@ -181,6 +187,7 @@ pub(crate) fn pattern(dash: Dash, frame: &Frame, style: &Style) -> Vec<f64> {
         Dash::Curve => &style.dash,
         Dash::Limit => &LIMIT_DASH,
         Dash::Step => &STEP_DASH,
+        Dash::Other(k) => style.others.get(k).map_or(&[], |(_, dash)| dash),
     };
     lengths.iter().map(|length| length * frame.pixel * style.weight()).collect()
 }

@@ -17,6 +17,8 @@ pub enum Quantity {
     PressureAngle,
     /// Radius of curvature ρ of the profile.
     Rho,
+    /// The contact on a flat face: see [`Contact::reach`](levalab_core::Contact::reach).
+    Contact,
 }
 
 /// What derivatives are taken by.
@@ -30,7 +32,7 @@ pub enum Timing {
 
 impl Quantity {
     /// Every quantity, in the order of a menu.
-    pub const ALL: [Self; 6] = [Self::S, Self::V, Self::A, Self::J, Self::PressureAngle, Self::Rho];
+    pub const ALL: [Self; 7] = [Self::S, Self::V, Self::A, Self::J, Self::PressureAngle, Self::Rho, Self::Contact];
 
     /// Its name in columns and reports.
     #[must_use]
@@ -44,6 +46,12 @@ impl Quantity {
         Self::ALL.into_iter().find(|quantity| quantity.name() == name)
     }
 
+    /// False for what this follower does not have: a contact that walks along a face.
+    #[must_use]
+    pub fn applies(self, cam: &Cam) -> bool {
+        self != Self::Contact || cam.follower.is_flat()
+    }
+
     pub(crate) fn column(self) -> Column {
         match self {
             Self::S => Column::S,
@@ -52,6 +60,7 @@ impl Quantity {
             Self::J => Column::J,
             Self::PressureAngle => Column::PressureAngle,
             Self::Rho => Column::Rho,
+            Self::Contact => Column::Contact,
         }
     }
 
@@ -59,7 +68,7 @@ impl Quantity {
     pub(crate) fn order(self) -> u8 {
         match self {
             Self::S => 0,
-            Self::V | Self::PressureAngle => 1,
+            Self::V | Self::PressureAngle | Self::Contact => 1,
             Self::A | Self::Rho => 2,
             Self::J => 3,
         }
@@ -74,6 +83,7 @@ impl Quantity {
             Self::J => motion.j,
             Self::PressureAngle => cam.follower.contact(motion).pressure_angle,
             Self::Rho => cam.follower.profile_radius(cam.follower.contact(motion).bend),
+            Self::Contact => cam.follower.contact(motion).reach,
         }
     }
 
@@ -86,7 +96,7 @@ impl Quantity {
         };
         match self {
             Self::PressureAngle => angle,
-            Self::Rho => 1.0,
+            Self::Rho | Self::Contact => 1.0,
             Self::S | Self::V | Self::A | Self::J if cam.follower.kind.motion == Motion::Oscillating => angle * rate,
             Self::S | Self::V | Self::A | Self::J => rate,
         }

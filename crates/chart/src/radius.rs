@@ -19,24 +19,29 @@ const BELOW: f64 = 0.15;
 /// What must be seen is given up beyond so many times the range that the medians ask for.
 const GIVEN_UP: f64 = 2.0;
 
-/// Chooses the extent, cuts the curve to it, and notes limits and extremes.
+/// Chooses the extent, and notes limits and extremes.
 pub(crate) fn finish(diagram: &mut Diagram, cam: &Cam, analysis: &Analysis) {
     let (base, radius) = (cam.follower.base_radius, cam.follower.disc_radius());
     diagram.extent = extent(diagram, base, analysis);
     diagram.limits = vec![0.0];
+    // No hollow is tighter than the roller in it.
+    diagram.limits.extend((radius > 0.0).then_some(-radius));
     diagram.forbidden = if cam.follower.is_flat() { vec![(f64::NEG_INFINITY, 0.0)] } else { vec![(-radius, 0.0)] };
     diagram.forbidden.retain(|(from, to)| from < to);
     let summary = &analysis.summary;
     let widest = summary.rho.max.is_finite().then_some((summary.rho.max, summary.rho.max_at));
-    let Extent { low, high, cut, .. } = diagram.extent;
+    let Extent { low, high, .. } = diagram.extent;
     let places = [summary.least_convex, summary.tightest_hollow, widest].into_iter().flatten();
     let level = summary.rho.max - summary.rho.min <= LEVEL * base;
     let places = places.filter(|&(rho, _)| low <= rho && rho <= high).take(if level { 1 } else { 3 });
     diagram.extremes = places.map(|(rho, theta)| (place(cam, theta), rho)).collect();
-    if cut {
-        let bend = Bend { radius: (!cam.follower.is_flat()).then_some(radius), low, high };
-        cut_to(diagram, bend);
-    }
+}
+
+/// Cuts the curve to its extent.
+pub(crate) fn cut(diagram: &mut Diagram) {
+    let Extent { low, high, .. } = diagram.extent;
+    let bend = Bend { radius: diagram.radius, low, high };
+    cut_to(diagram, bend);
 }
 
 /// A ρ that varies less than this part of the base radius is constant.

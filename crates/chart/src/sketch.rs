@@ -26,6 +26,8 @@ pub(crate) enum Dash {
     Limit,
     /// From one limit of a jump to the other.
     Step,
+    /// As the style asks for the curve of another cam.
+    Other(usize),
 }
 
 /// Something to draw.

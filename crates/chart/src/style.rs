@@ -36,6 +36,8 @@ pub struct Style {
     pub mark: RGBColor,
     /// Dashes and gaps of the curve, empty for a full line; longer when [`stroke`](Self::stroke) is wider than 1.5.
     pub dash: Vec<f64>,
+    /// Colour and dashes of the curves of other cams, in their order.
+    pub others: Vec<(RGBColor, Vec<f64>)>,
     /// Width of the curve.
     pub stroke: f64,
     /// Labels of θ under the plot, which need [`Style::FOOT`] more height for the same plot.
@@ -74,6 +76,7 @@ impl Default for Style {
             limit: RGBColor(0xb3, 0x26, 0x1e),
             mark: RGBColor(0xb3, 0x26, 0x1e),
             dash: Vec::new(),
+            others: Vec::new(),
             stroke: 1.5,
             x_labels: true,
             decimal_comma: false,

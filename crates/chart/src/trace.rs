@@ -6,7 +6,7 @@ use crate::frame::Frame;
 use crate::sketch::{At, Dash, Mark, Sketch};
 use crate::style::Style;
 use crate::thin::thin;
-use plotters::style::{Color, RGBAColor};
+use plotters::style::{Color, RGBAColor, RGBColor};
 use std::ops::Range;
 
 /// Radius of the marks of a jump, in widths of the curve.
@@ -14,37 +14,44 @@ const MARK: f64 = 1.7;
 
 /// Opacity of the step line of a jump; a jump of *j*, which is no fault at low speed, is told more quietly.
 const STEP: f64 = 0.9;
-const QUIET_STEP: f64 = 0.5;
+pub(crate) const QUIET_STEP: f64 = 0.5;
 
 /// Length and half the width of the arrow where the curve leaves the plot, in widths of the curve.
 const ARROW: (f64, f64) = (4.0, 2.2);
 
 /// Draws the dashed lines from limit to limit.
-pub(crate) fn steps(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
+pub(crate) fn steps(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, colour: RGBAColor) {
     for jump in &diagram.jumps {
         let (from, to) = (frame.y_inside(jump.before), frame.y_inside(jump.after));
         if from != to {
             let x = frame.x(jump.theta);
-            sketch.line((x, from), (x, to), frame.thin(), step_colour(diagram, style), Dash::Step);
+            sketch.line((x, from), (x, to), frame.thin(), colour, Dash::Step);
         }
     }
 }
 
-/// Draws the curve and returns where the points of its runs are.
-pub(crate) fn curve(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) -> Vec<Range<usize>> {
+/// Draws a curve and notes where the points of its runs are.
+pub(crate) fn curve(
+    sketch: &mut Sketch,
+    diagram: &Diagram,
+    frame: &Frame,
+    style: &Style,
+    (colour, dash): (RGBColor, Dash),
+    runs: &mut Vec<Range<usize>>,
+) {
     let width = frame.css(style.stroke).max(SHARPEST);
-    let colour = style.curve.to_rgba();
+    let colour = colour.to_rgba();
     let run = |run: &Run| {
         let start = sketch.points.len();
         let values = &diagram.points[run.points.clone()];
         thin(values.iter().map(|&point| frame.at(point)), &mut sketch.points);
         let points = start..sketch.points.len();
         if points.len() > 1 {
-            sketch.marks.push(Mark::Line { points: points.clone(), width, colour, dash: Dash::Curve });
+            sketch.marks.push(Mark::Line { points: points.clone(), width, colour, dash });
         }
         points
     };
-    diagram.runs.iter().map(run).collect()
+    runs.extend(diagram.runs.iter().map(run));
 }
 
 /// One device pixel: no curve is thinner.
@@ -73,8 +80,8 @@ pub(crate) fn marks(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style
 const EDGE_OF_TURN: f64 = 1e-9;
 
 /// Draws an arrow wherever the curve goes on beyond the plot.
-pub(crate) fn arrows(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
-    let colour = style.curve.to_rgba();
+pub(crate) fn arrows(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style, colour: RGBColor) {
+    let colour = colour.to_rgba();
     for Run { points, comes_in, goes_out } in &diagram.runs {
         let ends = [comes_in.then_some(points.start), goes_out.then(|| points.end - 1)];
         for end in ends.into_iter().flatten() {
@@ -91,6 +98,6 @@ fn arrow(frame: &Frame, style: &Style, (x, y): At) -> [At; 3] {
     [(x, tip), (x - half, base), (x + half, base)]
 }
 
-fn step_colour(diagram: &Diagram, style: &Style) -> RGBAColor {
+pub(crate) fn step_colour(diagram: &Diagram, style: &Style) -> RGBAColor {
     if diagram.quantity == Quantity::J { style.curve.mix(QUIET_STEP) } else { style.mark.mix(STEP) }
 }

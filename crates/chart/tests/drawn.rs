@@ -85,8 +85,10 @@ fn around(quantity: Quantity, cam: &Cam, theta: f64, reach: f64) -> (f64, f64) {
         Quantity::J => motion.j,
         Quantity::PressureAngle => cam.follower.contact(motion).pressure_angle.to_degrees(),
         Quantity::Rho => cam.follower.profile_radius(cam.follower.contact(motion).bend),
+        Quantity::Contact => cam.follower.contact(motion).reach,
     };
-    let swings = cam.follower.kind.motion == Motion::Oscillating && quantity != Quantity::PressureAngle;
+    let swings = cam.follower.kind.motion == Motion::Oscillating
+        && !matches!(quantity, Quantity::PressureAngle | Quantity::Contact);
     let (from, to) = ((theta - reach).to_radians(), (theta + reach).to_radians());
     let mut found = (f64::INFINITY, f64::NEG_INFINITY);
     for stretch in cam.program.stretches() {
@@ -121,6 +123,26 @@ proptest! {
         prop_assert!(!text.contains("NaN") && !text.contains("inf"));
         prop_assert!(area.y_min < area.y_max && area.width > 0.0 && area.height > 0.0, "{area:?}");
         for (x, y) in curve(&text) {
+            prop_assert!(x >= area.left * UNITS && x <= (area.left + area.width) * UNITS, "x = {x} in {area:?}");
+            prop_assert!(y >= area.top * UNITS - 0.5 && y <= (area.top + area.height) * UNITS + 0.5, "y = {y} in {area:?}");
+        }
+    }
+
+    #[test]
+    fn other_cams_are_inside_too(cams in [random::cam(), random::cam()], quantity in quantity(), style in style()) {
+        const OTHER: &str = "#654321";
+        let analyses = cams.each_ref().map(|cam| Analysis::of(cam, 360));
+        let both = [0, 1].map(|k| (&cams[k], &analyses[k], Timing::PerRadian));
+        let diagram = Diagram::among(quantity, &both).expect("two cams");
+        let others = vec![(colour(OTHER).expect("a colour"), vec![4.0, 2.0])];
+        let (text, area) = svg(&diagram, &Style { others, ..style });
+        prop_assert!(!text.contains("NaN") && !text.contains("inf"));
+        prop_assert!(area.y_min < area.y_max, "{area:?}");
+        let own = format!("opacity=\"1\" stroke=\"{OTHER}\"");
+        let drawn = attributes(&text, "polyline", &own, "points");
+        prop_assert!(!drawn.is_empty(), "the other cam is not drawn");
+        for (x, y) in drawn.iter().flat_map(|line| line.split_whitespace()).filter_map(|point| point.split_once(',')) {
+            let (x, y) = (number(x), number(y));
             prop_assert!(x >= area.left * UNITS && x <= (area.left + area.width) * UNITS, "x = {x} in {area:?}");
             prop_assert!(y >= area.top * UNITS - 0.5 && y <= (area.top + area.height) * UNITS + 0.5, "y = {y} in {area:?}");
         }

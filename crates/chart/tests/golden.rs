@@ -70,8 +70,11 @@ fn style(curve: &str, dash: &[f64]) -> Style {
 }
 
 fn compare(name: &str, quantity: Quantity, cam: &Cam, timing: Timing, style: &Style) {
-    let diagram = Diagram::of(quantity, cam, &Analysis::of(cam, STEPS), timing);
-    let (drawn, _) = svg(&diagram, style);
+    check(name, &Diagram::of(quantity, cam, &Analysis::of(cam, STEPS), timing), style);
+}
+
+fn check(name: &str, diagram: &Diagram, style: &Style) {
+    let (drawn, _) = svg(diagram, style);
     let path = folder().join(format!("{name}.svg"));
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         fs::write(&path, &drawn).expect("the drawing is kept");
@@ -189,4 +192,24 @@ fn radius_of_9rt_runs_through_infinity() {
 fn pressure_angle_of_2ro_stays_within_its_limits() {
     let look = Style { x_labels: true, height: 220.0, ..style("#7d5a00", &[10.0, 3.0, 2.0, 3.0]) };
     compare("2RO-pressure_angle", Quantity::PressureAngle, &two_ro(), Timing::PerRadian, &look);
+}
+
+#[test]
+fn contact_on_a_face_with_its_ends() {
+    let rows = [("cycloidal", 150.0, 20.0), ("dwell", 60.0, 0.0), ("polynomial-3-4-5", 150.0, -20.0)];
+    let cam = Cam::new(lengths(&rows), follower("translating-flat", 40.0, &[], Rotation::CounterClockwise));
+    let analysis = Analysis::of(&cam, STEPS);
+    let diagram = Diagram::of(Quantity::Contact, &cam, &analysis, Timing::PerRadian).with_face(&analysis, 2.0);
+    check("flat-contact", &diagram, &Style { x_labels: true, height: 220.0, ..style("#00735a", &[9.0, 3.0]) });
+}
+
+#[test]
+fn radii_of_two_cams_share_one_plot() {
+    let (cam, other) = (nine_rt(), r5());
+    let analyses = [Analysis::of(&cam, STEPS), Analysis::of(&other, STEPS)];
+    let both = [(&other, &analyses[1], Timing::PerRadian), (&cam, &analyses[0], Timing::PerRadian)];
+    let diagram = Diagram::among(Quantity::Rho, &both).expect("two cams");
+    let look = style("#5a4bb8", &[6.0, 2.5, 1.5, 2.5, 1.5, 2.5]);
+    let others = vec![(colour("#b04300").expect("a colour"), vec![4.0, 2.5])];
+    check("9RT-and-R5-rho", &diagram, &Style { x_labels: true, height: 220.0, others, ..look });
 }

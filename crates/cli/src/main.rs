@@ -5,6 +5,7 @@
 
 mod analyze;
 mod check;
+mod compare;
 mod failure;
 mod input;
 mod output;
@@ -48,6 +49,20 @@ enum Command {
         /// Design files; the worst verdict is the exit code.
         #[arg(required = true)]
         files: Vec<String>,
+    },
+    /// Writes a table of several designs: base radius, peaks, pressure angle, least ρ, verdict.
+    Compare {
+        /// Design files.
+        #[arg(required = true)]
+        files: Vec<String>,
+    },
+    /// Writes a table of the same program with every law that fits, best first.
+    Tournament {
+        /// Design file; `·` is the design as it is.
+        file: String,
+        /// What to rank by.
+        #[arg(long, value_enum, default_value_t = compare::Rank::Verdict)]
+        by: compare::Rank,
     },
     /// Writes the share link of a design, the part after `#`.
     Link {
@@ -99,6 +114,8 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
             let samples = samples as usize;
             if csv { analyze::csv(&design, &cams, samples) } else { analyze::json(&design, &cams, samples, language)? }
         }
+        Command::Compare { files } => compare::designs(&files, language)?,
+        Command::Tournament { file, by } => compare::laws(&file, by, language)?,
         Command::Link { file } => {
             let design = input::design(&file, language)?;
             let refused = |refusal| Failure::data("link", levalab_words::too_long(language, refusal));

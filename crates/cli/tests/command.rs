@@ -215,3 +215,36 @@ fn what_cannot_be_written_ends_with_74_and_a_closed_pipe_is_no_error() {
     let output = child.wait_with_output().expect("levalab ends");
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
 }
+
+#[test]
+fn designs_are_compared_line_by_line() {
+    let output = levalab(&["compare", &file_of("9RT"), &file_of("10EX")]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let said = text(&output.stdout);
+    let lines: Vec<&str> = said.lines().collect();
+    assert_eq!(lines.len(), 3, "{said}");
+    assert!(lines[1].starts_with("Example 9RT") && lines[1].contains("35 mm") && lines[1].contains("−28.2°"), "{said}");
+    assert!(lines[2].starts_with("Example 10EX") && lines[2].ends_with("● acceptable"), "{said}");
+    check_refusal(&levalab(&["compare", &file_of("9RT"), "none.lev.json"]), 66, "levalab: none.lev.json: ");
+}
+
+#[test]
+fn a_tournament_ranks_the_laws() {
+    let ranked = |by: &str| {
+        let output = levalab(&["tournament", &file_of("9RT"), "--by", by]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    let by_velocity = ranked("v");
+    assert!(by_velocity.lines().nth(1).is_some_and(|line| line.starts_with("constant velocity")), "{by_velocity}");
+    // What jumps in v has no peak of a: it is not the gentlest.
+    let by_acceleration = ranked("a");
+    assert!(by_acceleration.lines().last().is_some_and(|line| line.contains('∞')), "{by_acceleration}");
+    assert!(
+        by_acceleration.lines().nth(1).is_some_and(|line| !line.contains("constant velocity")),
+        "{by_acceleration}"
+    );
+    let verdict = ranked("verdict");
+    assert!(verdict.lines().nth(1).is_some_and(|line| line.ends_with("● acceptable")), "{verdict}");
+    assert!(levalab(&["--lang", "es", "tournament", &file_of("2RO")]).status.success());
+}

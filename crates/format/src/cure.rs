@@ -163,18 +163,22 @@ fn edits(design: &Design, cam: &Cam, remedy: &Remedy) -> Vec<Edit> {
         Remedy::Laws { changes, .. } => {
             // The whole segment, since the parameters of the old law go and those of the new one come.
             let change = |&(k, law): &(usize, &'static Law)| {
-                let before = design.segments.get(k)?;
-                let after = SegmentDesign {
-                    law,
-                    beta: before.beta,
-                    rise: rise_of(design, cam, k),
-                    parameters: default_parameters(law, before.beta),
-                    data: Data::None,
-                };
-                Some(edit(Path::from("segments").join(k), segment_value(&after)))
+                design.segments.get(k)?;
+                Some(edit(Path::from("segments").join(k), segment_value(&with_law(design, cam, k, law))))
             };
             changes.iter().filter_map(change).collect()
         }
+    }
+}
+
+/// A segment of the design by another law, which takes its usual parameters.
+pub(crate) fn with_law(design: &Design, cam: &Cam, k: usize, law: &'static Law) -> SegmentDesign {
+    SegmentDesign {
+        law,
+        beta: design.segments[k].beta,
+        rise: rise_of(design, cam, k),
+        parameters: default_parameters(law, design.segments[k].beta),
+        data: Data::None,
     }
 }
 
@@ -245,7 +249,7 @@ const ALL_DIGITS: i32 = 17;
 const LOOK: usize = 1;
 
 /// The base radius (or the travel) rounded up to the fewest digits, four or more, with which the geometry still passes.
-fn shortest_passing(cam: &Cam, exact: f64) -> f64 {
+pub(crate) fn shortest_passing(cam: &Cam, exact: f64) -> f64 {
     let passes = |&radius: &f64| {
         let Some(sized) = resized(cam, radius) else { return false };
         Analysis::of(&sized, LOOK).findings.iter().all(|finding| finding.kind.is_of_the_motion())

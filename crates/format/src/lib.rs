@@ -21,6 +21,7 @@
 //! Not here: words for people, files on disk.
 
 mod check;
+mod compare;
 mod cure;
 mod data;
 mod decimal;
@@ -40,6 +41,7 @@ pub mod testing;
 mod units;
 mod write;
 
+pub use compare::{Contender, Figures, by_law, tournament};
 pub use cure::{DesignCure, Edit, Remedy, apply, cures};
 pub use data::{data_key, entry as data_entry};
 pub use design::{Design, SegmentDesign, Speed, motion_and_contact};

@@ -1,6 +1,6 @@
 //! Diagrams on the page: plotters-canvas where they are looked at, SVG where they are printed.
 
-use crate::lab::{Current, Lab};
+use crate::lab::{Beside, Current, Lab};
 use crate::object;
 use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour};
 use plotters::prelude::IntoDrawingArea;
@@ -25,6 +25,9 @@ struct PageStyle {
     limit: String,
     mark: String,
     dash: Vec<f64>,
+    /// Shows the ends of a face that is so much longer at each end than the contact needs.
+    #[serde(default)]
+    margin: Option<f64>,
     stroke: f64,
     per_second: bool,
     x_labels: bool,
@@ -56,7 +59,7 @@ impl Lab {
         #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
         #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: JsValue,
     ) -> Result<JsValue, JsError> {
-        let (diagram, style) = prepare(self.current()?, diagram, style)?;
+        let (diagram, style) = prepare(self, diagram, style)?;
         let context = context_of(&canvas)?;
         let backend =
             CanvasBackend::with_canvas_object(canvas).ok_or_else(|| JsError::new("the canvas cannot be drawn on"))?;
@@ -89,16 +92,47 @@ impl Lab {
         #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
         #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: JsValue,
     ) -> Result<String, JsError> {
-        let (diagram, style) = prepare(self.current()?, diagram, style)?;
+        let (diagram, style) = prepare(self, diagram, style)?;
         Ok(levalab_chart::svg(&diagram, &style).0)
     }
 }
 
-fn prepare(current: &Current, diagram: &str, style: JsValue) -> Result<(Diagram, Style), JsError> {
+fn prepare(lab: &Lab, diagram: &str, style: JsValue) -> Result<(Diagram, Style), JsError> {
+    let current = lab.current()?;
     let quantity = Quantity::by_name(diagram).ok_or_else(|| JsError::new("no such diagram"))?;
     let style: PageStyle = serde_wasm_bindgen::from_value(style)?;
-    let timing = if style.per_second { Timing::PerSecond(current.design.omega()) } else { Timing::PerRadian };
-    Ok((Diagram::of(quantity, &current.cam, &current.analysis, timing), style.into()))
+    let seen = |current: &Current| {
+        if style.per_second { Timing::PerSecond(current.design.omega()) } else { Timing::PerRadian }
+    };
+    let mut all = Vec::with_capacity(lab.beside.len() + 1);
+    let mut others = Vec::with_capacity(lab.beside.len());
+    for Beside { cam: other, colour, dash } in &lab.beside {
+        if alike(quantity, current, other) {
+            all.push((&other.cam, &other.analysis, seen(other)));
+            others.push((*colour, dash.clone()));
+        }
+    }
+    all.push((&current.cam, &current.analysis, seen(current)));
+    let mut diagram = Diagram::among(quantity, &all).ok_or_else(|| JsError::new("nothing to draw"))?;
+    if let Some(margin) = style.margin {
+        diagram = diagram.with_face(&current.analysis, margin);
+    }
+    Ok((diagram, Style { others, ..style.into() }))
+}
+
+/// True when the values of both can be put on one axis: they exist and have the same unit.
+fn alike(quantity: Quantity, current: &Current, other: &Current) -> bool {
+    let (one, other) = (&current.design, other);
+    let lengths = one.length_unit == other.design.length_unit;
+    quantity.applies(&other.cam)
+        && one.kind.travel() == other.design.kind.travel()
+        && match quantity {
+            Quantity::PressureAngle => true,
+            Quantity::Rho | Quantity::Contact => lengths,
+            Quantity::S | Quantity::V | Quantity::A | Quantity::J => {
+                one.is_oscillating() == other.design.is_oscillating() && (lengths || one.is_oscillating())
+            }
+        }
 }
 
 fn context_of(canvas: &HtmlCanvasElement) -> Result<CanvasRenderingContext2d, JsError> {
@@ -125,6 +159,7 @@ impl From<PageStyle> for Style {
             limit: or(&page.limit, usual.limit),
             mark: or(&page.mark, usual.mark),
             dash: page.dash,
+            others: Vec::new(),
             stroke: page.stroke,
             x_labels: page.x_labels,
             decimal_comma: page.decimal_comma,

@@ -5,8 +5,10 @@ use crate::{Failure, instant, language, object, speak};
 use levalab_core::{Analysis, Cam, Column, Svaj};
 use levalab_format::report::{Report, column, scale_of};
 use levalab_format::{Design, DesignError};
+use plotters::style::RGBColor;
 use serde::Serialize;
 use serde_json::Value;
+use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 /// Most steps in which the page may ask for a turn.
@@ -24,7 +26,16 @@ pub struct Current {
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Lab {
-    current: Option<Current>,
+    current: Option<Rc<Current>>,
+    /// Cams whose curves are drawn behind those of the current one.
+    pub(crate) beside: Vec<Beside>,
+}
+
+/// A cam whose curves are drawn behind those of another, and how they look.
+pub struct Beside {
+    pub cam: Rc<Current>,
+    pub colour: RGBColor,
+    pub dash: Vec<f64>,
 }
 
 #[derive(Serialize)]
@@ -58,7 +69,7 @@ impl Lab {
         object(&match analyse(&value, samples) {
             Ok(current) => {
                 let report = PageReport::of(&current, language);
-                self.current = Some(current);
+                self.current = Some(Rc::new(current));
                 Opened::Report(Box::new(report))
             }
             Err(error) => Opened::Error(speak(language, &error)),
@@ -100,9 +111,14 @@ impl Lab {
 }
 
 impl Lab {
+    /// The current cam, to be kept by another laboratory.
+    pub(crate) fn shared(&self) -> Option<Rc<Current>> {
+        self.current.clone()
+    }
+
     /// The current cam, for the diagrams.
     pub(crate) fn current(&self) -> Result<&Current, JsError> {
-        self.current.as_ref().ok_or_else(|| JsError::new("no cam has been opened"))
+        self.current.as_deref().ok_or_else(|| JsError::new("no cam has been opened"))
     }
 }
 

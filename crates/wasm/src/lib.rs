@@ -5,6 +5,7 @@
 //! tables of a second one would be a fifth of this module.
 
 mod catalogue;
+mod compare;
 mod diagrams;
 mod instant;
 mod lab;

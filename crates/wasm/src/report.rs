@@ -3,7 +3,7 @@
 use crate::lab::Current;
 use levalab_core::{Body, Column, Element};
 use levalab_format::report::{Range, degrees, level_name};
-use levalab_format::{DesignCure, Edit, link};
+use levalab_format::{Design, DesignCure, Edit, link};
 use levalab_words::Language;
 use serde::{Serialize, Serializer};
 use std::f64::consts::TAU;
@@ -16,6 +16,7 @@ pub struct PageReport {
     #[serde(serialize_with = "as_map")]
     summary: Vec<(&'static str, Range)>,
     least_convex: Option<Place>,
+    tightest_hollow: Option<Place>,
     joints: Vec<PageJoint>,
     borders: Vec<f64>,
     omega: f64,
@@ -109,11 +110,8 @@ impl PageReport {
             link: link::encode(design).unwrap_or_default(),
             verdict: Verdict::of(current, language),
             summary: summary(current),
-            least_convex: analysis
-                .summary
-                .least_convex
-                .filter(|place| place.0.is_finite())
-                .map(|(value, at)| Place { value, at: design.place(at) }),
+            least_convex: Place::of(analysis.summary.least_convex, design),
+            tightest_hollow: Place::of(analysis.summary.tightest_hollow, design),
             joints: report
                 .joints
                 .iter()
@@ -130,6 +128,12 @@ impl PageReport {
             mechanism: Mechanism::of(current),
             units: Units::of(current),
         }
+    }
+}
+
+impl Place {
+    fn of(found: Option<(f64, f64)>, design: &Design) -> Option<Self> {
+        found.filter(|(value, _)| value.is_finite()).map(|(value, at)| Self { value, at: design.place(at) })
     }
 }
 

@@ -67,6 +67,14 @@ impl Voice for English {
         "Second cam"
     }
 
+    fn level(&self, level: Level) -> &'static str {
+        match level {
+            Level::Acceptable => "acceptable",
+            Level::LowSpeed => "not for high speeds",
+            Level::Unacceptable => "unacceptable",
+        }
+    }
+
     fn headline(&self, report: &Report) -> String {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {

@@ -67,6 +67,14 @@ impl Voice for Spanish {
         "Segunda leva"
     }
 
+    fn level(&self, level: Level) -> &'static str {
+        match level {
+            Level::Acceptable => "aceptable",
+            Level::LowSpeed => "no apta para altas velocidades",
+            Level::Unacceptable => "inaceptable",
+        }
+    }
+
     fn headline(&self, report: &Report) -> String {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {

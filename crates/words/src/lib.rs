@@ -28,7 +28,7 @@ mod voice;
 
 pub use voice::FileProblem;
 
-use levalab_core::{FollowerKind, Law};
+use levalab_core::{FollowerKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Design, DesignError, Remedy};
@@ -124,6 +124,12 @@ pub fn cam_kind(language: Language, word: &'static str) -> &'static str {
 #[must_use]
 pub fn second_cam(language: Language) -> &'static str {
     language.voice().second_cam()
+}
+
+/// The verdict in a word or two, as in a table.
+#[must_use]
+pub fn level(language: Language, level: Level) -> &'static str {
+    language.voice().level(level)
 }
 
 /// The verdict in one sentence.

@@ -1,7 +1,7 @@
 //! What a language has to be able to say.
 
 use crate::{Language, Units};
-use levalab_core::{FindingKind, Law};
+use levalab_core::{FindingKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Measure, Problem, Remedy};
@@ -27,6 +27,7 @@ pub(crate) trait Voice {
     fn follower(&self, id: &str) -> Option<&'static str>;
     fn cam_kind(&self, word: &str) -> Option<&'static str>;
     fn second_cam(&self) -> &'static str;
+    fn level(&self, level: Level) -> &'static str;
     fn headline(&self, report: &Report) -> String;
     fn finding(&self, finding: &DesignFinding, units: Units) -> String;
     fn cure(&self, finding: &DesignFinding, remedy: &Remedy, units: Units) -> String;
