@@ -37,11 +37,11 @@ const PLACES = [
   "C:\\Program Files (x86)\\Microsoft\\Edge\\Application\\msedge.exe",
 ];
 
-/** @param {string[]} [flags] further flags */
-export function launchBrowser(flags = []) {
+/** @param {string[]} [flags] further flags @param {string} [downloadsPath] */
+export function launchBrowser(flags = [], downloadsPath) {
   const executablePath = process.env.LEVALAB_BROWSER ?? PLACES.find((place) => existsSync(place));
   assert(executablePath, "no browser found: name its program in LEVALAB_BROWSER");
-  return chromium.launch({ executablePath, args: [...FLAGS, ...flags] });
+  return chromium.launch({ executablePath, args: [...FLAGS, ...flags], downloadsPath });
 }
 
 /**

@@ -6,7 +6,7 @@ use std::{
     sync::OnceLock,
 };
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 
 use crate::{
     process::{self, output, run_told},
@@ -170,6 +170,35 @@ fn find_browser() -> Option<PathBuf> {
     let names =
         ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge"];
     names.iter().find_map(|name| process::find(name)).or_else(|| usual_places().into_iter().find(|path| path.is_file()))
+}
+
+/// Firefox as its makers ship it: named by `LEVALAB_FIREFOX`, in PATH, in its usual place, or installed.
+pub fn firefox() -> Result<PathBuf> {
+    if let Some(named) = env::var_os("LEVALAB_FIREFOX") {
+        let named = PathBuf::from(named);
+        ensure!(named.is_file(), "LEVALAB_FIREFOX names {}, which is no file", named.display());
+        return Ok(named);
+    }
+    if let Some(found) = find_firefox() {
+        return Ok(found);
+    }
+    let installed = apt_install(&["firefox-esr"]);
+    find_firefox().map_or_else(
+        || {
+            installed.and_then(|()| bail!("firefox-esr was installed but is not found")).context(
+                "no Firefox: install it (Debian: `apt-get install firefox-esr`), or name its program in LEVALAB_FIREFOX",
+            )
+        },
+        Ok,
+    )
+}
+
+fn find_firefox() -> Option<PathBuf> {
+    let mut places = vec![PathBuf::from("/Applications/Firefox.app/Contents/MacOS/firefox")];
+    let programs = ["ProgramFiles", "ProgramFiles(x86)"].iter().filter_map(env::var_os);
+    places.extend(programs.map(|base| Path::new(&base).join("Mozilla Firefox/firefox.exe")));
+    let named = ["firefox", "firefox-esr"].iter().find_map(|name| process::find(name));
+    named.or_else(|| places.into_iter().find(|path| path.is_file()))
 }
 
 fn usual_places() -> Vec<PathBuf> {
