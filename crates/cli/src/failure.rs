@@ -1,5 +1,6 @@
 //! What ends the program: one line, and an exit code as in BSD's `sysexits.h`.
 
+use levalab_export::Refusal;
 use levalab_format::DesignError;
 use levalab_words::{FileProblem, Language};
 use std::fmt::Display;
@@ -59,6 +60,20 @@ impl Failure {
     pub fn no_output(language: Language) -> Self {
         let message = levalab_words::file(language, FileProblem::Unwritable).to_owned();
         Self { code: IO, place: String::new(), message }
+    }
+
+    /// A file that cannot be written.
+    pub fn unwritable(file: &str, language: Language) -> Self {
+        Self { place: shown(file), ..Self::no_output(language) }
+    }
+
+    /// Something that cannot be exported: an option that makes no sense, or a cam that is not fit for it.
+    pub fn export(refusal: &Refusal, language: Language) -> Self {
+        let message = refusal.sentence(language);
+        match refusal.option() {
+            Some(option) => Self { code: USAGE, place: format!("--{option}"), message },
+            None => Self { code: DATA, place: String::new(), message },
+        }
     }
 
     /// The same with the file that it is about, for a command that takes several.

@@ -1,4 +1,4 @@
-//! `levalab`: analyses and checks design files, and turns them into share links and back.
+//! `levalab`: analyses and checks design files, turns them into share links and back, and into files for other programs.
 //!
 //! Results go to standard output; an error is one line on standard error, with nothing on standard output and one of the exit
 //! codes of [`Failure`].
@@ -6,6 +6,7 @@
 mod analyze;
 mod check;
 mod compare;
+mod export;
 mod failure;
 mod input;
 mod output;
@@ -64,6 +65,8 @@ enum Command {
         #[arg(long, value_enum, default_value_t = compare::Rank::Verdict)]
         by: compare::Rank,
     },
+    /// Writes a file for another program: a table, a drawing or a solid.
+    Export(export::Options),
     /// Writes the share link of a design, the part after `#`.
     Link {
         /// Design file.
@@ -109,6 +112,7 @@ fn main() -> ExitCode {
 fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
     let text = match command {
         Command::Check { files } => return check::run(&files, language),
+        Command::Export(options) => return export::run(&options, language),
         Command::Analyze(Analyze { file, samples, csv, .. }) => {
             let (design, cams) = input::design_and_cams(&file, language)?;
             let samples = samples as usize;

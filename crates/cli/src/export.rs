@@ -1,0 +1,133 @@
+//! `levalab export`: a cam as a file for another program.
+
+use crate::failure::Failure;
+use crate::{input, output};
+use clap::builder::PossibleValuesParser;
+use clap::{Args, ValueEnum};
+use levalab_export::{
+    CamDrawing, DiagramChoice, Keyway, Refusal, Separator, Shaft, Step, Subject, Table, cam_svg, csv, diagram_svg, dxf,
+    png, stl, xlsx,
+};
+use levalab_words::Language;
+use std::fs;
+use std::process::ExitCode;
+
+#[derive(Args)]
+pub struct Options {
+    /// Design file.
+    file: String,
+    /// Kind of file to write.
+    #[arg(long)]
+    to: Format,
+    /// File to write, or - for standard output.
+    #[arg(short, long)]
+    output: String,
+    /// Degrees between rows of a table (1 unless told otherwise) or points of a curve (0.5).
+    #[arg(long)]
+    step: Option<f64>,
+    /// CSV: which table.
+    #[arg(long, default_value = Table::Everything.name(), value_parser = PossibleValuesParser::new(Table::ALL.map(Table::name)))]
+    table: String,
+    /// CSV: what parts cells; a semicolon goes with the decimal comma. As in the language unless told otherwise.
+    #[arg(long)]
+    separator: Option<Parting>,
+    /// SVG and PNG: a diagram instead of the cam.
+    #[arg(long, value_parser = PossibleValuesParser::new(DiagramChoice::all().into_iter().map(DiagramChoice::name)))]
+    diagram: Option<String>,
+    /// SVG and PNG: derivatives by time and not by angle.
+    #[arg(long)]
+    per_second: bool,
+    /// PNG: width in pixels.
+    #[arg(long, default_value_t = 1600, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    width: u32,
+    /// STL: thickness of the cam, in the unit of the design; a third of the base radius (a sixth of the length of a cam that travels) unless told otherwise.
+    #[arg(long)]
+    thickness: Option<f64>,
+    /// STL, DXF, SVG, PNG: diameter of the hole for the shaft.
+    #[arg(long)]
+    bore: Option<f64>,
+    /// Keyway in the wall of the bore, width x depth, such as 8x3.3.
+    #[arg(long, requires = "bore", value_parser = keyway)]
+    keyway: Option<(f64, f64)>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    /// A table for spreadsheets.
+    Csv,
+    /// A workbook with every table.
+    Xlsx,
+    /// Curves for CAD.
+    Dxf,
+    /// A drawing.
+    Svg,
+    /// A picture.
+    Png,
+    /// A solid for printing.
+    Stl,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Parting {
+    /// And a decimal point.
+    Comma,
+    /// And a decimal comma.
+    Semicolon,
+}
+
+/// Thickness of a cam, as a part of its base radius, when nothing is said about it.
+const THICKNESS: f64 = 1.0 / 3.0;
+
+/// Writes the file.
+pub fn run(options: &Options, language: Language) -> Result<ExitCode, Failure> {
+    let (design, cams) = input::design_and_cams(&options.file, language)?;
+    let subject = Subject { design: &design, cam: &cams.first, second: cams.second.as_ref(), language };
+    let bytes = made(&subject, options).map_err(|refusal| Failure::export(&refusal, language))?;
+    if options.output == "-" {
+        output::write_bytes(&bytes, language)?;
+    } else {
+        fs::write(&options.output, bytes).map_err(|_| Failure::unwritable(&options.output, language))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn made(subject: &Subject, options: &Options) -> Result<Vec<u8>, Refusal> {
+    let step = |usual| options.step.map_or(Ok(usual), Step::of_degrees);
+    let shaft =
+        options.bore.map(|bore| Shaft { bore, keyway: options.keyway.map(|(width, depth)| Keyway { width, depth }) });
+    Ok(match options.to {
+        Format::Csv => {
+            let table = Table::by_name(&options.table).unwrap_or(Table::Everything);
+            let separator = match options.separator {
+                Some(Parting::Comma) => Separator::Comma,
+                Some(Parting::Semicolon) => Separator::Semicolon,
+                None => Separator::of(subject.language),
+            };
+            csv(subject, table, step(Step::OF_TABLES)?, separator).into_bytes()
+        }
+        Format::Xlsx => xlsx(subject, step(Step::OF_TABLES)?)?,
+        Format::Dxf => dxf(subject, step(Step::OF_CURVES)?, shaft)?,
+        Format::Svg => drawing(subject, options, shaft)?.into_bytes(),
+        Format::Png => png(&drawing(subject, options, shaft)?, options.width)?,
+        Format::Stl => {
+            let thickness = options.thickness.unwrap_or(THICKNESS * subject.size());
+            stl(subject, step(Step::OF_CURVES)?, thickness, shaft)?
+        }
+    })
+}
+
+fn drawing(subject: &Subject, options: &Options, shaft: Option<Shaft>) -> Result<String, Refusal> {
+    match options.diagram.as_deref().and_then(DiagramChoice::by_name) {
+        Some(choice) => diagram_svg(subject, choice, options.per_second),
+        None => cam_svg(subject, &CamDrawing { shaft, ..CamDrawing::default() }),
+    }
+}
+
+/// Width and depth of a keyway.
+fn keyway(text: &str) -> Result<(f64, f64), String> {
+    let measures = text.split_once(['x', 'X', '×']);
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    measures
+        .and_then(|(width, depth)| Some((number(width)?, number(depth)?)))
+        .ok_or_else(|| "a keyway is width x depth, such as 8x3.3".to_owned())
+}

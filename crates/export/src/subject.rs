@@ -1,0 +1,67 @@
+//! What is exported.
+
+use levalab_core::Cam;
+use levalab_format::{Design, LengthUnit};
+use levalab_words::Language;
+
+/// A design, the cam that it is, and the language in which heads, names and sentences are written.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject<'a> {
+    /// The design.
+    pub design: &'a Design,
+    /// Its cam.
+    pub cam: &'a Cam,
+    /// The second cam, of a conjugate pair.
+    pub second: Option<&'a Cam>,
+    /// The language.
+    pub language: Language,
+}
+
+impl<'a> Subject<'a> {
+    /// Its cams, the first first.
+    pub fn cams(&self) -> impl Iterator<Item = &'a Cam> {
+        [self.cam].into_iter().chain(self.second)
+    }
+
+    /// True for a cam that travels instead of turning.
+    #[must_use]
+    pub fn travels(&self) -> bool {
+        self.design.kind.travel().is_some()
+    }
+
+    /// A length to which measures that nobody gave are set: the base radius, or half of what a cam that travels is long.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.design.kind.travel().map_or(self.design.base_radius, |length| length / 2.0)
+    }
+
+    /// The unit of *s*, or of its derivative of that order by θ, or by time.
+    pub(crate) fn unit(&self, order: u8, by_time: bool) -> String {
+        let length = self.design.length_unit.symbol();
+        let s = if self.design.is_oscillating() { "°" } else { length };
+        let by = if by_time {
+            "s"
+        } else if self.travels() {
+            length
+        } else {
+            "rad"
+        };
+        match order {
+            0 => s.to_owned(),
+            1 => format!("{s}/{by}"),
+            2 => format!("{s}/{by}²"),
+            _ => format!("{s}/{by}³"),
+        }
+    }
+
+    /// Millimetres in the unit of the design.
+    #[must_use]
+    pub fn millimetres(&self) -> f64 {
+        match self.design.length_unit {
+            LengthUnit::Millimetre => 1.0,
+            LengthUnit::Centimetre => 10.0,
+            LengthUnit::Metre => 1000.0,
+            LengthUnit::Inch => 25.4,
+        }
+    }
+}

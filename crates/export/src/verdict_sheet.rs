@@ -1,0 +1,85 @@
+//! The verdict as a table: the headline, every finding with its cures, and the extremes.
+
+use crate::Subject;
+use crate::sheets::{Cell, Row};
+use crate::table::Measure;
+use crate::words::{Word, level};
+use levalab_core::{Analysis, Cam, Column};
+use levalab_format::report::Report;
+
+/// Its rows. The verdict does not hang on the step, so none is asked for.
+pub(crate) fn verdict(subject: &Subject) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (k, cam) in subject.cams().enumerate() {
+        if k > 0 {
+            rows.extend([Row::gap(), Row::head([levalab_words::second_cam(subject.language).to_owned()])]);
+        }
+        rows.extend(of_cam(subject, cam));
+    }
+    rows
+}
+
+fn of_cam(subject: &Subject, cam: &Cam) -> Vec<Row> {
+    let Subject { design, language, .. } = *subject;
+    let place = if subject.travels() { design.length_unit.symbol() } else { "θ, °" };
+    let said = |word: Word| match word {
+        Word::At => format!("{} ({place})", word.said(language)),
+        _ => word.said(language).to_owned(),
+    };
+    let analysis = Analysis::of(cam, 1);
+    let report = Report::of(design, cam, &analysis);
+    let cures = levalab_format::cures(design, cam, &analysis);
+    let mut rows = vec![
+        Row::head([said(Word::Verdict)]),
+        Row::of([level(report.level, language).into()]),
+        Row::of([Cell::Text(levalab_words::headline(language, &report))]),
+        Row::gap(),
+    ];
+    if !report.findings.is_empty() {
+        let heads = [Word::Verdict, Word::Finding, Word::At, Word::Value, Word::Limit, Word::Cure];
+        rows.push(Row::head(heads.map(said)));
+    }
+    for (finding, cures) in report.findings.iter().zip(&cures) {
+        let cures: Vec<String> =
+            cures.iter().map(|cure| levalab_words::cure(language, design, finding, &cure.remedy)).collect();
+        rows.push(Row::of([
+            level(finding.level, language).into(),
+            Cell::Text(levalab_words::finding(language, design, finding)),
+            finding.theta.into(),
+            Cell::maybe(finding.value),
+            Cell::maybe(finding.limit),
+            Cell::Text(cures.join(" ")),
+        ]));
+    }
+    if !report.findings.is_empty() {
+        rows.push(Row::gap());
+    }
+    rows.push(Row::head([Word::Quantity, Word::Least, Word::At, Word::Greatest, Word::At].map(said)));
+    rows.extend(report.summary.iter().filter_map(|(name, range)| {
+        let head = measure(name)?.head(subject);
+        Some(Row::of([Cell::Text(head), range.min.into(), range.min_at.into(), range.max.into(), range.max_at.into()]))
+    }));
+    rows
+}
+
+/// The quantity of a column of the summary.
+fn measure(name: &str) -> Option<Measure> {
+    let column = Column::ALL.into_iter().find(|column| column.name() == name)?;
+    Some(match column {
+        Column::Theta => Measure::Theta,
+        Column::S => Measure::S,
+        Column::V => Measure::V,
+        Column::A => Measure::A,
+        Column::J => Measure::J,
+        Column::PressureAngle => Measure::PressureAngle,
+        Column::Rho => Measure::Rho,
+        Column::RhoPitch => Measure::RhoPitch,
+        Column::X => Measure::X,
+        Column::Y => Measure::Y,
+        Column::PitchX => Measure::PitchX,
+        Column::PitchY => Measure::PitchY,
+        Column::Contact => Measure::Contact,
+        Column::OuterX => Measure::OuterX,
+        Column::OuterY => Measure::OuterY,
+    })
+}

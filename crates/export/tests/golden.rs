@@ -1,0 +1,97 @@
+//! Drawings of known cams stay as they are. `UPDATE_GOLDEN=1` draws them anew, to be looked at before they are kept.
+
+use levalab_export::{CamDrawing, DiagramChoice, Keyway, Shaft, Subject, cam_svg, diagram_svg, png};
+use levalab_format::{Design, example};
+use levalab_words::Language;
+use std::fs;
+use std::path::Path;
+
+/// Drawings have three decimals; sines are not the same on all machines.
+const TOLERANCE: f64 = 0.0021;
+
+const A4: CamDrawing = CamDrawing { room: Some([180.0, 200.0]), check: true, shaft: None };
+
+fn drawn(design: &Design, language: Language, options: &CamDrawing) -> String {
+    let cam = design.cam().expect("a good design");
+    cam_svg(&Subject { design, cam: &cam, second: None, language }, options).expect("it can be drawn")
+}
+
+fn compare(name: &str, drawn: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/golden").join(format!("{name}.svg"));
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&path, drawn).expect("the drawing is kept");
+    }
+    let kept = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let (kept, drawn) = (pieces(&kept), pieces(drawn));
+    for (k, (old, new)) in kept.iter().zip(&drawn).enumerate() {
+        let same = match (old.parse::<f64>(), new.parse::<f64>()) {
+            (Ok(old), Ok(new)) => (old - new).abs() <= TOLERANCE,
+            _ => old == new,
+        };
+        let around = drawn[k.saturating_sub(20)..(k + 5).min(drawn.len())].concat();
+        assert!(same, "{name}: {old} has become {new} near: {around}");
+    }
+    assert_eq!(kept.len(), drawn.len(), "{name}: something was added or is missing at the end");
+}
+
+/// Numbers, and the text between them.
+fn pieces(text: &str) -> Vec<&str> {
+    let numeric = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+    let mut pieces = Vec::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let end = rest.find(|c| numeric(c) != numeric(first)).unwrap_or(rest.len());
+        pieces.push(&rest[..end]);
+        rest = &rest[end..];
+    }
+    pieces
+}
+
+#[test]
+fn cams_in_true_scale() {
+    let file = CamDrawing::default();
+    compare("9RT-cam", &drawn(&example("9RT").expect("9RT"), Language::Es, &A4));
+    compare("2RO-cam", &drawn(&example("2RO").expect("2RO"), Language::En, &file));
+    compare("4PO-cam", &drawn(&example("4PO").expect("4PO"), Language::Es, &file));
+    let shaft = Some(Shaft { bore: 20.0, keyway: Some(Keyway { width: 6.0, depth: 2.8 }) });
+    compare("10EX-cam-bored", &drawn(&example("10EX").expect("10EX"), Language::En, &CamDrawing { shaft, ..file }));
+}
+
+#[test]
+fn a_cam_that_is_larger_than_the_paper_tells_its_scale() {
+    let design = example("R1").expect("R1");
+    assert!(drawn(&design, Language::Es, &A4).contains("Escala 1:5"));
+    assert!(drawn(&design, Language::Es, &CamDrawing::default()).contains("Escala 1:1"));
+    let nine = example("9RT").expect("9RT");
+    assert!(drawn(&nine, Language::En, &A4).contains("Scale 1:1"));
+}
+
+#[test]
+fn a_title_is_text_in_every_drawing() {
+    let mut design = example("9RT").expect("9RT");
+    design.title = "</title><script>1</script> & \"50%\"".to_owned();
+    let cam = design.cam().expect("a good design");
+    let subject = Subject { design: &design, cam: &cam, second: None, language: Language::En };
+    let diagram = diagram_svg(&subject, DiagramChoice::Svaj, false).expect("it can be drawn");
+    for svg in [drawn(&design, Language::En, &A4), diagram] {
+        assert!(!svg.contains("<script") && svg.contains("&lt;script&gt;1&lt;/script&gt; &amp; &quot;50%&quot;"));
+        png(&svg, 300).expect("it is still a drawing");
+    }
+}
+
+#[test]
+fn a_picture_is_as_wide_as_it_was_asked_to_be_and_not_empty() {
+    let design = example("9RT").expect("9RT");
+    let cam = design.cam().expect("9RT");
+    let subject = Subject { design: &design, cam: &cam, second: None, language: Language::Es };
+    let made: Vec<_> = DiagramChoice::all().into_iter().map(|choice| diagram_svg(&subject, choice, true)).collect();
+    assert_eq!(made.iter().filter(|made| made.is_err()).count(), 1, "a roller has no contact that walks");
+    let mut drawings: Vec<String> = made.into_iter().flatten().collect();
+    drawings.push(drawn(&design, Language::Es, &CamDrawing::default()));
+    for svg in drawings {
+        let bytes = png(&svg, 640).expect("a picture");
+        assert!(bytes.starts_with(b"\x89PNG\r\n\x1a\n") && bytes[16..20] == 640_u32.to_be_bytes());
+        assert!(bytes.len() > 6_000, "there is next to nothing on it: {} bytes", bytes.len());
+    }
+    assert!(png("no drawing", 100).is_err());
+}

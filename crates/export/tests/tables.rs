@@ -1,0 +1,162 @@
+//! Tables as other programs read them: the workbook by a reader that shares nothing with the writer, CSV cell by cell.
+
+use calamine::{Data, Range, Reader, Xlsx, open_workbook_from_rs};
+use levalab_core::{Analysis, Column};
+use levalab_export::{Separator, Step, Subject, Table, csv, xlsx};
+use levalab_format::report::column;
+use levalab_format::{Design, EXAMPLES, example};
+use levalab_words::Language;
+use std::io::Cursor;
+
+/// Tables have twelve digits.
+const TOLERANCE: f64 = 1e-11;
+
+fn with_subject<T>(design: &Design, language: Language, look: impl FnOnce(&Subject) -> T) -> T {
+    let cam = design.cam().expect("a good design");
+    look(&Subject { design, cam: &cam, second: None, language })
+}
+
+fn sheets(design: &Design, language: Language, step: Step) -> Vec<(String, Range<Data>)> {
+    let bytes = with_subject(design, language, |subject| xlsx(subject, step)).expect("a workbook");
+    let mut book: Xlsx<_> = open_workbook_from_rs(Cursor::new(bytes)).expect("it opens");
+    book.worksheets()
+}
+
+fn numbers(range: &Range<Data>, column: u32) -> Vec<f64> {
+    let rows = range.height() as u32;
+    let cell = |row| match range.get_value((row, column)) {
+        Some(Data::Float(value)) => *value,
+        other => panic!("row {row}, column {column}: {other:?} is no number"),
+    };
+    (1..rows).map(cell).collect()
+}
+
+fn assert_near(found: &[f64], expected: &[f64], what: &str) {
+    assert_eq!(found.len(), expected.len(), "{what}");
+    let scale = expected.iter().fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
+    for (k, (found, expected)) in found.iter().zip(expected).enumerate() {
+        assert!((found - expected).abs() <= TOLERANCE * scale, "{what}[{k}]: {found}, not {expected}");
+    }
+}
+
+#[test]
+fn a_workbook_has_a_sheet_for_each_group_in_the_language() {
+    let names = |name: &str, language| -> Vec<String> {
+        let design = example(name).expect(name);
+        sheets(&design, language, Step::OF_TABLES).into_iter().map(|(name, _)| name).collect()
+    };
+    assert_eq!(
+        names("9RT", Language::En),
+        ["Design", "Motion", "Profile (polar)", "Profile (cartesian)", "Pitch curve", "Verdict"]
+    );
+    assert_eq!(
+        names("9RT", Language::Es),
+        ["Diseño", "Movimiento", "Perfil (polares)", "Perfil (cartesianas)", "Curva primitiva", "Veredicto"]
+    );
+    assert!(!names("10EX", Language::En).contains(&"Pitch curve".to_owned()), "a flat face has no pitch curve");
+}
+
+#[test]
+fn numbers_in_the_workbook_are_those_of_the_analysis() {
+    for (name, _) in EXAMPLES {
+        let design = example(name).expect(name);
+        let cam = design.cam().expect(name);
+        let step = Step::of_degrees(2.5).expect("it divides the turn");
+        let analysis = Analysis::of(&cam, step.count());
+        let of = |which| column(&design, &analysis, which).expect(name);
+        let sheets = sheets(&design, Language::Es, step);
+        let motion = &sheets[1].1;
+        for (at, which) in [Column::Theta, Column::S, Column::V, Column::A, Column::J].into_iter().enumerate() {
+            // The time stands second.
+            let at = if at == 0 { 0 } else { at as u32 + 1 };
+            assert_near(&numbers(motion, at), &of(which), &format!("{name} {}", which.name()));
+        }
+        let omega = design.omega();
+        let times: Vec<f64> = of(Column::Theta).iter().map(|theta| theta.to_radians() / omega).collect();
+        assert_near(&numbers(motion, 1), &times, &format!("{name} t"));
+        let accelerations: Vec<f64> = of(Column::A).iter().map(|a| a * omega * omega).collect();
+        assert_near(&numbers(motion, 7), &accelerations, &format!("{name} A"));
+        let (x, y) = (of(Column::X), of(Column::Y));
+        assert_near(&numbers(&sheets[3].1, 1), &x, &format!("{name} x"));
+        assert_near(&numbers(&sheets[3].1, 2), &y, &format!("{name} y"));
+        let (angles, radii) = (numbers(&sheets[2].1, 1), numbers(&sheets[2].1, 2));
+        for k in 0..x.len() {
+            let (sin, cos) = angles[k].to_radians().sin_cos();
+            let near = 1e-9 * radii[k];
+            assert!((radii[k] * cos - x[k]).abs() < near && (radii[k] * sin - y[k]).abs() < near, "{name}[{k}]");
+        }
+    }
+}
+
+#[test]
+fn text_in_the_workbook_never_becomes_a_formula() {
+    let mut design = example("9RT").expect("9RT");
+    design.title = "=1+1".to_owned();
+    let sheets = sheets(&design, Language::En, Step::OF_TABLES);
+    assert_eq!(sheets[0].1.get_value((1, 1)), Some(&Data::String("=1+1".to_owned())));
+}
+
+#[test]
+fn the_design_sheet_tells_the_whole_design() {
+    let design = example("2RO").expect("2RO");
+    let sheets = sheets(&design, Language::Es, Step::OF_TABLES);
+    let design = &sheets[0].1;
+    let row = |name: &str| {
+        design.rows().find(|row| row[0] == Data::String(name.to_owned())).unwrap_or_else(|| panic!("no {name}"))
+    };
+    assert_eq!(row("Radio base Rb")[1..3], [Data::Float(40.0), Data::String("mm".to_owned())]);
+    assert_eq!(row("Brazo A")[1], Data::Float(80.0));
+    assert_eq!(row("Ángulo de la articulación ψ")[2], Data::String("°".to_owned()));
+    let third = design.rows().find(|row| row[0] == Data::Float(3.0)).expect("three segments");
+    assert_eq!(third[1..5], [Data::String("Polinómica 4-5-6-7".into()), 240.0.into(), 120.0.into(), (-10.0).into()]);
+}
+
+#[test]
+fn csv_opens_right_where_its_language_is_spoken() {
+    let design = example("R1").expect("R1");
+    let cam = design.cam().expect("R1");
+    let analysis = Analysis::of(&cam, 36);
+    let step = Step::of_degrees(10.0).expect("it divides the turn");
+    let s = column(&design, &analysis, Column::S).expect("s");
+    for (language, separator, delimiter, sign) in
+        [(Language::Es, Separator::Semicolon, ';', ','), (Language::En, Separator::Comma, ',', '.')]
+    {
+        assert_eq!(Separator::of(language), separator);
+        let text = with_subject(&design, language, |subject| csv(subject, Table::Everything, step, separator));
+        let text = text.strip_prefix('\u{feff}').expect("the mark that spreadsheets look for");
+        let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(delimiter).collect()).collect();
+        assert_eq!(rows.len(), 38, "a head, and both ends of the turn");
+        // A head may hold a comma, and is then in quotes.
+        assert!(rows[1..].iter().all(|row| row.len() == 20), "{text}");
+        let third = |row: &Vec<&str>| -> f64 {
+            assert!(!row[2].contains(if sign == ',' { '.' } else { ',' }));
+            row[2].replace(sign, ".").parse().expect("a number")
+        };
+        assert_near(&rows[1..].iter().map(third).collect::<Vec<_>>(), &s, "s");
+    }
+}
+
+#[test]
+fn a_title_that_is_a_formula_is_text_in_csv() {
+    let mut design = example("9RT").expect("9RT");
+    for (title, cell) in [("=HYPERLINK(1)", "'=HYPERLINK(1)"), ("@a", "'@a"), ("a;b \"c\"", "\"a;b \"\"c\"\"\"")] {
+        design.title = title.to_owned();
+        let text = with_subject(&design, Language::Es, |subject| {
+            csv(subject, Table::Design, Step::OF_TABLES, Separator::Semicolon)
+        });
+        assert!(text.contains(&format!("Título;{cell};\r\n")), "{text}");
+    }
+}
+
+#[test]
+fn every_table_has_rows_or_does_not_apply() {
+    for (name, _) in EXAMPLES {
+        let design = example(name).expect(name);
+        for table in Table::ALL {
+            let text =
+                with_subject(&design, Language::En, |subject| csv(subject, table, Step::OF_TABLES, Separator::Comma));
+            let applies = table != Table::Pitch || design.cam().is_ok_and(|cam| !cam.follower.is_flat());
+            assert_eq!(text.lines().count() > 1, applies, "{name} {}", table.name());
+        }
+    }
+}
