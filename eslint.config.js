@@ -28,5 +28,5 @@ export default [
   { files: ["web/**/*.js"], languageOptions: { globals: globals.browser } },
   // Browser tests hold functions that run inside the page.
   { files: ["tests/**/*.js"], languageOptions: { globals: { ...globals.browser, ...globals.node } } },
-  { files: ["web/**/*.test.js", "crates/xtask/**/*.js", "eslint.config.js"], languageOptions: { globals: globals.node } },
+  { files: ["web/**/*.test.js", "crates/{xtask,theory}/**/*.js", "eslint.config.js"], languageOptions: { globals: globals.node } },
 ];

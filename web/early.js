@@ -10,5 +10,6 @@
   const { theme, language = navigator.language } = view();
   const dark = theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
   document.documentElement.dataset.theme = dark ? "dark" : "light";
-  document.documentElement.lang = /^es\b/i.test(String(language)) ? "es" : "en";
+  // Pages of theory have a language of their own.
+  if (!("page" in document.documentElement.dataset)) document.documentElement.lang = /^es\b/i.test(String(language)) ? "es" : "en";
 }

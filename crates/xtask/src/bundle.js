@@ -1,11 +1,12 @@
-// Joins and minifies the page's modules and styles: `node bundle.js '{"out": …, "single": …, "modules": […], "scripts": […], "styles": […]}'`.
+// Joins and minifies the page's modules and styles:
+// `node bundle.js '{"out": …, "single": …, "modules": […], "scripts": […], "styles": […], "sheets": […]}'`.
 // Prints which of the files written the modules need at once. Into the folder `single` goes each module whole, for the single-file page.
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { build } from "esbuild";
 
-/** @type {{ out: string, single: string, modules: string[], scripts: string[], styles: { file: string, media: string }[] }} */
-const { out, single, modules, scripts, styles } = JSON.parse(process.argv[2]);
+/** @type {{ out: string, single: string, modules: string[], scripts: string[], styles: { file: string, media: string }[], sheets: string[] }} */
+const { out, single, modules, scripts, styles, sheets } = JSON.parse(process.argv[2]);
 const web = path.resolve("web");
 
 /**
@@ -56,6 +57,8 @@ await build({
   entryNames: "style",
   bundle: true,
 });
+// Sheets that pages of their own and parts on demand ask for by name.
+await build({ ...common, entryPoints: sheets, outbase: "web", bundle: true });
 
 // The single-file page: nothing is imported when it runs, and the glue is a function that makes a fresh copy of it.
 const glue = await build({ ...common, entryPoints: ["web/pkg/levalab_wasm.js"], bundle: true, write: false, format: "iife", globalName: "glue", define: { "import.meta.url": "document.baseURI" } });

@@ -19,6 +19,7 @@ use crate::{
     process::{self, told},
     project, setup, single,
     size::{Size, kilobytes},
+    theory,
     wasm::{self, Build},
 };
 
@@ -38,6 +39,7 @@ pub fn run() -> Result<()> {
 pub fn pack() -> Result<PathBuf> {
     setup::node_modules()?;
     wasm::build(Build::Shipped)?;
+    theory::build()?;
     let packed = told("packing dist", write)?;
     forbid_other_hosts(&project::path("dist"))?;
     print_sizes(&packed)?;
@@ -66,6 +68,7 @@ fn write() -> Result<Packed> {
     let hash = content_hash(&fresh)?;
     let folder = dist.join(&hash);
     fs::rename(&fresh, &folder)?;
+    theory::publish(&folder, &dist, &hash)?;
     let page = Page::new(&hash, &loads, &parts);
     fs::write(dist.join("index.html"), html::packed_as(&page.rewrite(&html), "site"))?;
     let names = names(&dist)?;
@@ -89,6 +92,7 @@ fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<Vec<String>> {
         "modules": of_kind(&Kind::Module),
         "scripts": of_kind(&Kind::Script),
         "styles": styles.collect::<Vec<_>>(),
+        "sheets": theory::SHEETS,
     });
     let mut bundler = process::node(["crates/xtask/src/bundle.js", &order.to_string()]);
     let output = bundler.stderr(Stdio::inherit()).output().context("node did not start")?;

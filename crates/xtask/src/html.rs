@@ -26,6 +26,8 @@ pub enum Kind {
     Style(String),
     /// A hint to load early.
     Hint,
+    /// A page of its own, to which one may go.
+    Page,
     /// An icon, a manifest.
     Other,
 }
@@ -52,6 +54,7 @@ fn load(html: &str, range: Range<usize>) -> Option<Load> {
         let kind = match relation {
             "stylesheet" => Kind::Style(attribute(tag, "media").unwrap_or_default().to_owned()),
             "modulepreload" | "preload" | "prefetch" => Kind::Hint,
+            "help" => Kind::Page,
             _ => Kind::Other,
         };
         ("href", kind)

@@ -13,6 +13,7 @@ mod single;
 mod size;
 mod soak;
 mod test;
+mod theory;
 mod wasm;
 
 use std::process::ExitCode;

@@ -35,6 +35,7 @@ impl<'a> Page<'a> {
             Kind::Script => format!("<script src=\"{}\"></script>", self.script(load)),
             Kind::Module => self.module(load),
             Kind::Hint => String::new(),
+            Kind::Page => load.tag.replace("web/", ""),
             Kind::Other => load.tag.replace(&load.file, &self.other(load)),
         })
     }
@@ -45,7 +46,7 @@ impl<'a> Page<'a> {
         first.extend(self.loads.iter().filter_map(|load| match load.kind {
             Kind::Script | Kind::Module => Some(self.script(load)),
             Kind::Other => Some(self.other(load)),
-            Kind::Style(_) | Kind::Hint => None,
+            Kind::Style(_) | Kind::Hint | Kind::Page => None,
         }));
         first.extend(self.early());
         first.push(self.packed(MODULE));

@@ -14,7 +14,7 @@ use tiny_http::{Header, Request, Response, Server};
 use walkdir::WalkDir;
 
 use crate::{
-    process, project,
+    process, project, theory,
     wasm::{self, Build},
 };
 
@@ -42,6 +42,7 @@ const WATCH: Duration = Duration::from_secs(1);
 pub fn run(options: &Options) -> Result<()> {
     let build = if options.release { Build::Shipped } else { Build::Quick };
     wasm::build(build)?;
+    theory::build()?;
     let server = Arc::new(listen(options.port)?);
     let address = server.server_addr().to_ip().ok_or_else(|| anyhow!("no address"))?;
     announce(address, options.no_open);
@@ -143,7 +144,7 @@ fn watch(build: Build) -> ! {
             continue;
         }
         seen = now;
-        match wasm::build(build) {
+        match wasm::build(build).and_then(|()| theory::build()) {
             Ok(()) => println!("ready: reload the page"),
             Err(error) => eprintln!("{error:#}"),
         }

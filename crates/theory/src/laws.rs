@@ -1,0 +1,130 @@
+//! A law's section of the theory: everything but its words comes from its own curve.
+
+use crate::curve::{ORDERS, Written, written};
+use crate::figure;
+use crate::followers::capital;
+use crate::html::{Pen, escape};
+use crate::study::Study;
+use crate::words::laws::{LawWords, law};
+use crate::words::{Two, two};
+use levalab_core::{LAWS, Law};
+
+/// Place, name and body; a law without words has only its curve, which a test does not let pass.
+#[must_use]
+pub fn entry(pen: Pen, law: &Law) -> (String, String, String) {
+    let name = capital(levalab_words::law(pen.language, law));
+    (law.id.to_owned(), name, body(pen, law))
+}
+
+fn body(pen: Pen, entry: &Law) -> String {
+    let words = law(entry.id);
+    let study = Study::of(entry);
+    let paragraph = |text: fn(&LawWords) -> Two| {
+        words.map(|words| pen.paragraphs(text(words).within(pen.language))).unwrap_or_default()
+    };
+    let general: String =
+        words.map(|words| words.formulas).unwrap_or_default().iter().map(|formula| pen.displayed(formula)).collect();
+    let own = study.as_ref().filter(|_| general.is_empty()).and_then(|study| written(&study.pieces));
+    let formulas = own.map_or(general, |own| tables(pen, &own));
+    let facts = study.as_ref().filter(|study| study.moves()).map(|study| facts(pen, study)).unwrap_or_default();
+    let source = words.map(|words| source(pen, words.source)).unwrap_or_default();
+    [paragraph(|words| words.idea), formulas, figure::of(pen, entry), facts, paragraph(|words| words.use_it), source]
+        .concat()
+}
+
+fn source(pen: Pen, source: &str) -> String {
+    format!(
+        "<p class=\"source\">{}: <cite>{}</cite>.</p>",
+        two("In books", "En los libros").within(pen.language),
+        escape(source)
+    )
+}
+
+/// y and its derivatives, a table for each piece.
+fn tables(pen: Pen, own: &Written) -> String {
+    let factor = own.factor.as_ref().map(|factor| pen.displayed(&format!("C_a = {factor}"))).unwrap_or_default();
+    let whole = own.pieces.len() == 1;
+    let piece = |piece: &crate::curve::WrittenPiece| {
+        let span = if whole { String::new() } else { format!("<p class=\"span\">{}</p>", pen.formula(&piece.span)) };
+        let orders: String =
+            ORDERS.iter().zip(&piece.orders).map(|(left, right)| pen.displayed(&format!("{left} = {right}"))).collect();
+        format!("<div class=\"piece\">{span}{orders}</div>")
+    };
+    format!("{factor}<div class=\"pieces\">{}</div>", own.pieces.iter().map(piece).collect::<String>())
+}
+
+/// Peaks, and what jumps between two dwells.
+fn facts(pen: Pen, study: &Study) -> String {
+    let peaks: Vec<String> = (1..4).map(|order| peak(pen, study, order)).collect();
+    let peaks = format!("<p>{}: {}.</p>", two("Peaks", "Valores máximos").within(pen.language), peaks.join(", "));
+    format!("{peaks}<p>{}</p>", pen.line(&joins(pen, study)))
+}
+
+fn peak(pen: Pen, study: &Study, order: usize) -> String {
+    format!("{} = {}", pen.formula(&format!("|{}|", ORDERS[order])), pen.language.number(study.peaks[order]))
+}
+
+/// What a law does beside rests, in a sentence.
+fn joins(pen: Pen, study: &Study) -> String {
+    let worst = (0..4).find(|&order| !study.jumps[order].is_empty());
+    let Some(order) = worst else {
+        return two(
+            "Between dwells nothing jumps up to the jerk: it serves at any speed.",
+            "Entre detenimientos nada salta hasta la sobreaceleración: sirve a cualquier velocidad.",
+        )
+        .within(pen.language)
+        .to_owned();
+    };
+    let places: Vec<String> = study.jumps[order]
+        .iter()
+        .map(|(x, by)| format!("{} ({})", pen.language.number(*x), pen.language.number(*by)))
+        .collect();
+    let places = places.join(", ");
+    let symbol = ORDERS[order];
+    let verdict = match order {
+        3 => two("it serves at low speeds", "sirve a bajas velocidades"),
+        2 => two("it is not acceptable there", "allí no es aceptable"),
+        _ => two("it must never stand there", "nunca debe ponerse allí"),
+    };
+    match pen.language {
+        levalab_words::Language::En => format!("Between dwells ${symbol}$ jumps at $x$ = {places}: {}.", verdict.en),
+        levalab_words::Language::Es => {
+            format!("Entre detenimientos ${symbol}$ salta en $x$ = {places}: {}.", verdict.es)
+        }
+    }
+}
+
+/// All laws between two rests side by side.
+#[must_use]
+pub fn overview(pen: Pen) -> String {
+    let within = |words: Two| words.within(pen.language);
+    let studies = LAWS.iter().filter_map(|law| Some((law, Study::of(law)?))).filter(|(_, study)| study.moves());
+    let rows: String = studies
+        .map(|(law, study)| {
+            let name = escape(&capital(levalab_words::law(pen.language, law)));
+            let peaks: String =
+                (1..4).map(|order| format!("<td>{}</td>", pen.language.number(study.peaks[order]))).collect();
+            let jumps = (0..4).find(|&order| !study.jumps[order].is_empty());
+            let jumps = jumps.map_or_else(|| "–".to_owned(), |order| pen.formula(ORDERS[order]));
+            format!("<tr><th scope=\"row\"><a href=\"#{}\">{name}</a></th>{peaks}<td>{jumps}</td></tr>", law.id)
+        })
+        .collect();
+    let heads: String = (1..4)
+        .map(|order| format!("<th scope=\"col\">{}</th>", pen.formula(&format!("|{}|", ORDERS[order]))))
+        .collect();
+    format!(
+        "{}<div class=\"wide\"><table><caption>{}</caption><thead><tr><th scope=\"col\">{}</th>{heads}<th scope=\"col\">{}</th></tr></thead><tbody>{rows}</tbody></table></div>",
+        pen.paragraphs(within(INTRODUCTION)),
+        within(two(
+            "Peaks of a unit rise, and the first derivative that jumps between dwells",
+            "Máximos de una subida unidad, y la primera derivada que salta entre detenimientos"
+        )),
+        within(two("Law", "Ley")),
+        within(two("Jumps", "Salta")),
+    )
+}
+
+const INTRODUCTION: Two = two(
+    "A law is a curve $y(x)$ from (0, 0) to (1, 1); stretched to $β$ and $L$ it is a segment. The formulas below are printed from the very curves that LevaLab computes with, and the peaks are those of the core. A return uses the same curve with $L < 0$.",
+    "Una ley es una curva $y(x)$ de (0, 0) a (1, 1); estirada a $β$ y $L$ es un tramo. Las fórmulas que siguen se imprimen a partir de las mismas curvas con las que calcula LevaLab, y los máximos son los del núcleo de cálculo. Un retorno usa la misma curva con $L < 0$.",
+);

@@ -1,0 +1,381 @@
+//! What there is to say about each motion law.
+
+use super::{Two, two};
+
+/// The words of a law.
+pub struct LawWords {
+    /// The law's id.
+    pub id: &'static str,
+    /// What it is.
+    pub idea: Two,
+    /// When to take it, and when not.
+    pub use_it: Two,
+    /// Formulas of a law whose curve depends on data, each on a line.
+    pub formulas: &'static [&'static str],
+    /// Where it is found in books.
+    pub source: &'static str,
+}
+
+const NORTON: &str = "R. L. Norton, Cam Design and Manufacturing Handbook";
+const ROTHBART: &str = "H. A. Rothbart, Cam Design Handbook";
+const SHIGLEY: &str = "J. J. Uicker, G. R. Pennock, J. E. Shigley, Theory of Machines and Mechanisms";
+const CHEN: &str = "F. Y. Chen, Mechanics and Design of Cam Mechanisms";
+
+/// The words of the law of that name.
+#[must_use]
+pub fn law(id: &str) -> Option<&'static LawWords> {
+    LAWS.iter().find(|words| words.id == id)
+}
+
+const LAWS: &[LawWords] = &[
+    LawWords {
+        id: "dwell",
+        idea: two(
+            "The follower stays at its height while the cam turns: the profile is an arc about the cam's centre, and $v$, $a$ and $j$ are zero.",
+            "El seguidor se queda a su altura mientras la leva gira: el perfil es un arco con centro en el de la leva, y $v$, $a$ y $j$ son nulas.",
+        ),
+        use_it: two(
+            "Wherever the machine needs time with the follower still. The moves on both sides must bring $v$ and $a$ to zero, and $j$ too if the cam turns fast.",
+            "Donde la máquina necesita tiempo con el seguidor quieto. Los movimientos de ambos lados deben llevar a cero $v$ y $a$, y también $j$ si la leva gira deprisa.",
+        ),
+        formulas: &["s = s_0"],
+        source: NORTON,
+    },
+    LawWords {
+        id: "constant-velocity",
+        idea: two(
+            "The straight line of the displacement diagram: equal angles give equal heights. A plate cam with a knife edge on its axis becomes a spiral of Archimedes.",
+            "La recta del diagrama de desplazamientos: a ángulos iguales, alturas iguales. Una leva de placa con cuchilla centrada se convierte en una espiral de Arquímedes.",
+        ),
+        use_it: two(
+            "Where a process asks for it (a saw, a scanner, a winder). Never beside a dwell: the velocity would jump, which means an infinite acceleration, a blow. Join it with half motions or with polynomials that match their neighbours.",
+            "Donde lo pide el proceso (una sierra, un lector, una bobinadora). Nunca junto a un detenimiento: la velocidad saltaría, lo que supone una aceleración infinita, un golpe. Se enlaza con semimovimientos o con polinomios ajustados a sus vecinos.",
+        ),
+        formulas: &[],
+        source: SHIGLEY,
+    },
+    LawWords {
+        id: "parabolic",
+        idea: two(
+            "Constant acceleration over the first half and the same deceleration over the second: of all laws between two rests it has the lowest peak acceleration.",
+            "Aceleración constante en la primera mitad e igual deceleración en la segunda: de todas las leyes entre dos reposos es la de menor aceleración máxima.",
+        ),
+        use_it: two(
+            "As a lesson. The acceleration jumps at both ends and, twice as much, in the middle: the follower is shaken three times in every move. Handouts often print the second half with a plus sign; it is $y = 1 - 2(1 - x)^2$.",
+            "Como lección. La aceleración salta en los dos extremos y, el doble, en el centro: el seguidor se sacude tres veces en cada movimiento. En muchos apuntes la segunda mitad aparece con signo más; es $y = 1 - 2(1 - x)^2$.",
+        ),
+        formulas: &[],
+        source: SHIGLEY,
+    },
+    LawWords {
+        id: "parabolic-blend",
+        idea: two(
+            "A straight stretch between two arcs of parabola (modified uniform motion): the speed rises evenly over $β_1$, stays over $β_2$ and falls evenly over $β_3$.",
+            "Un tramo recto entre dos arcos de parábola (movimiento uniforme modificado): la velocidad crece uniformemente durante $β_1$, se mantiene durante $β_2$ y decrece uniformemente durante $β_3$.",
+        ),
+        use_it: two(
+            "For a long stretch of nearly constant velocity at low speed. The velocity is continuous, the acceleration is not: it jumps at the four borders.",
+            "Para un tramo largo a velocidad casi constante y a baja velocidad. La velocidad es continua y la aceleración no: salta en las cuatro fronteras.",
+        ),
+        formulas: &[
+            "v_(max) = L/(β_1/2 + β_2 + β_3/2)",
+            "s = s_0 + (v_(max) θ^2)/(2β_1), θ ≤ β_1",
+            "s = s_0 + v_(max) (θ - β_1/2), β_1 ≤ θ ≤ β_1 + β_2",
+            "s = s_0 + L - (v_(max) (β - θ)^2)/(2β_3), θ ≥ β_1 + β_2",
+        ],
+        source: ROTHBART,
+    },
+    LawWords {
+        id: "cubic-1",
+        idea: two(
+            "The constant pulse of the first kind: the jerk is the same all along, so that the acceleration grows evenly from zero, swings to its opposite in the middle and comes back to zero.",
+            "El pulso constante de primera especie: la sobreaceleración es la misma en todo el tramo, de modo que la aceleración crece uniformemente desde cero, pasa a la opuesta en el centro y vuelve a cero.",
+        ),
+        use_it: two(
+            "Hardly ever: soft at the ends, but the step of acceleration in the middle, from +12 to −12, is the largest of the usual laws.",
+            "Casi nunca: es suave en los extremos, pero el escalón de aceleración del centro, de +12 a −12, es el mayor de las leyes usuales.",
+        ),
+        formulas: &[],
+        source: ROTHBART,
+    },
+    LawWords {
+        id: "cubic-2",
+        idea: two(
+            "The constant pulse of the second kind: one cubic for the whole move. Its acceleration falls along a straight line from +6 to −6.",
+            "El pulso constante de segunda especie: una sola cúbica para todo el movimiento. Su aceleración decrece en línea recta de +6 a −6.",
+        ),
+        use_it: two(
+            "When rise and return follow each other without dwells; beside a dwell its acceleration jumps.",
+            "Cuando subida y retorno se siguen sin detenimientos; junto a un detenimiento su aceleración salta.",
+        ),
+        formulas: &[],
+        source: ROTHBART,
+    },
+    LawWords {
+        id: "simple-harmonic",
+        idea: two(
+            "The height of a point that goes round a circle: half a wave of cosine. It is what an eccentric circle gives a flat face.",
+            "La altura de un punto que recorre una circunferencia: media onda de coseno. Es lo que una excéntrica circular da a un plato plano.",
+        ),
+        use_it: two(
+            "Rise 180° and return 180° with nothing between: then every derivative is continuous. Beside a dwell its acceleration jumps by $π^2/2$.",
+            "Subida de 180° y retorno de 180° sin nada en medio: entonces todas las derivadas son continuas. Junto a un detenimiento su aceleración salta $π^2/2$.",
+        ),
+        formulas: &[],
+        source: SHIGLEY,
+    },
+    LawWords {
+        id: "double-harmonic",
+        idea: two(
+            "Two harmonics, the second a quarter as high. It starts as smoothly as can be ($a$ is zero there) and ends with a strong deceleration; the return is the rise reversed in $x$.",
+            "Dos armónicos, el segundo con la cuarta parte de altura. Arranca con toda suavidad (allí $a$ es nula) y acaba con una fuerte deceleración; el retorno es la subida invertida en $x$.",
+        ),
+        use_it: two(
+            "Dwell, rise and return with only one dwell, below: above, rise and return join with the same acceleration.",
+            "Detenimiento, subida y retorno con un único detenimiento, abajo: arriba, subida y retorno se unen con la misma aceleración.",
+        ),
+        formulas: &[],
+        source: CHEN,
+    },
+    LawWords {
+        id: "cycloidal",
+        idea: two(
+            "The point of a circle that rolls along the axis of heights: a full sine wave of acceleration. It is the SCCA law with $b = d = 1/2$ and $c = 0$.",
+            "El punto de una circunferencia que rueda sobre el eje de alturas: una onda senoidal completa de aceleración. Es la ley SCCA con $b = d = 1/2$ y $c = 0$.",
+        ),
+        use_it: two(
+            "The safe choice between dwells: $v$ and $a$ are zero at both ends. Its jerk is not, so that for high speeds the 4-5-6-7 is smoother; its peak velocity asks for a larger base circle than a modified sine.",
+            "La elección segura entre detenimientos: $v$ y $a$ son nulas en los dos extremos. Su sobreaceleración no lo es, así que a altas velocidades es más suave la 4-5-6-7; su velocidad máxima pide una circunferencia base mayor que la del seno modificado.",
+        ),
+        formulas: &[],
+        source: NORTON,
+    },
+    LawWords {
+        id: "polynomial-3-4-5",
+        idea: two(
+            "The polynomial of lowest degree with $v = a = 0$ at both ends: six conditions, three powers left.",
+            "El polinomio de menor grado con $v = a = 0$ en los dos extremos: seis condiciones, quedan tres potencias.",
+        ),
+        use_it: two(
+            "Between dwells at moderate speeds: less peak acceleration than the cycloidal. Its jerk jumps at the ends by 60.",
+            "Entre detenimientos a velocidades moderadas: menos aceleración máxima que la cicloidal. Su sobreaceleración salta 60 en los extremos.",
+        ),
+        formulas: &[],
+        source: NORTON,
+    },
+    LawWords {
+        id: "polynomial-4-5-6-7",
+        idea: two(
+            "The polynomial of lowest degree with $v = a = j = 0$ at both ends: eight conditions, four powers left.",
+            "El polinomio de menor grado con $v = a = j = 0$ en los dos extremos: ocho condiciones, quedan cuatro potencias.",
+        ),
+        use_it: two(
+            "Between dwells at high speeds: nothing jumps up to the jerk. The price is the highest peak acceleration of the smooth laws.",
+            "Entre detenimientos a altas velocidades: nada salta hasta la sobreaceleración. El precio es la mayor aceleración máxima de las leyes suaves.",
+        ),
+        formulas: &[],
+        source: NORTON,
+    },
+    LawWords {
+        id: "modified-trapezoidal",
+        idea: two(
+            "A trapezoid of acceleration with its corners rounded by sines: the SCCA law with $b = 1/4$, $c = 1/2$, $d = 1/4$.",
+            "Un trapecio de aceleración con las esquinas redondeadas por senos: la ley SCCA con $b = 1/4$, $c = 1/2$, $d = 1/4$.",
+        ),
+        use_it: two(
+            "Heavy followers: the lowest peak acceleration, and so the lowest inertia force, of the usual laws with continuous acceleration.",
+            "Seguidores pesados: la menor aceleración máxima, y por tanto la menor fuerza de inercia, de las leyes usuales con aceleración continua.",
+        ),
+        formulas: &[],
+        source: NORTON,
+    },
+    LawWords {
+        id: "modified-sine",
+        idea: two(
+            "A short sine to begin, a long cosine in the middle, a short sine to end: the SCCA law with $b = 1/4$, $c = 0$, $d = 3/4$.",
+            "Un seno corto al empezar, un coseno largo en el centro y un seno corto al acabar: la ley SCCA con $b = 1/4$, $c = 0$, $d = 3/4$.",
+        ),
+        use_it: two(
+            "Large masses and indexing tables: low peak velocity and kinetic energy, a torque that changes slowly, and the smallest cam for a given pressure angle.",
+            "Grandes masas y mesas divisoras: velocidad máxima y energía cinética bajas, un par que cambia despacio y la leva más pequeña para un ángulo de presión dado.",
+        ),
+        formulas: &[],
+        source: NORTON,
+    },
+    LawWords {
+        id: "scca",
+        idea: two(
+            "A whole family, sine–constant–cosine acceleration. The acceleration grows as a sine over $b/2$, stays over $c/2$, swings to its opposite as a cosine over $d$ and mirrors what came before, with $b + c + d = 1$. Parabolic, harmonic, cycloidal, modified trapezoidal and modified sine are its points.",
+            "Toda una familia, aceleración seno–constante–coseno. La aceleración crece como un seno en $b/2$, se mantiene en $c/2$, pasa a la opuesta como un coseno en $d$ y repite lo anterior al revés, con $b + c + d = 1$. La parabólica, la armónica, la cicloidal, la trapezoidal modificada y el seno modificado son puntos suyos.",
+        ),
+        use_it: two(
+            "To trade peak velocity for peak acceleration: more $c$ lowers the acceleration, more $d$ the velocity, more $b$ the jerk at the ends. With $b = 0$ the acceleration jumps beside a dwell.",
+            "Para cambiar velocidad máxima por aceleración máxima: más $c$ baja la aceleración, más $d$ la velocidad y más $b$ la sobreaceleración de los extremos. Con $b = 0$ la aceleración salta junto a un detenimiento.",
+        ),
+        formulas: &[
+            "C_a = (4π^2)/((π^2 - 8)(b^2 - d^2) - 2π(π - 2)b + π^2)",
+            "y'' = C_a sin((πx)/b), 0 ≤ x ≤ b/2",
+            "y'' = C_a, b/2 ≤ x ≤ (1 - d)/2",
+            "y'' = C_a cos((π)/d (x - (1 - d)/2)), (1 - d)/2 ≤ x ≤ (1 + d)/2",
+            "y'' = -C_a, (1 + d)/2 ≤ x ≤ 1 - b/2",
+            "y'' = C_a sin((π)/b (x - 1)), 1 - b/2 ≤ x ≤ 1",
+        ],
+        source: NORTON,
+    },
+    LawWords {
+        id: "half-harmonic-start",
+        idea: two(
+            "The first half of a harmonic: from rest to full speed.",
+            "La primera mitad de una armónica: del reposo a toda velocidad.",
+        ),
+        use_it: two(
+            "Before a stretch of constant velocity of the same slope, at low speed: the acceleration jumps at the start, beside a dwell, and is zero at the end.",
+            "Antes de un tramo de velocidad constante con la misma pendiente, a baja velocidad: la aceleración salta al principio, junto a un detenimiento, y se anula al final.",
+        ),
+        formulas: &[],
+        source: SHIGLEY,
+    },
+    LawWords {
+        id: "half-harmonic-end",
+        idea: two(
+            "The second half of a harmonic: from full speed to rest.",
+            "La segunda mitad de una armónica: de toda velocidad al reposo.",
+        ),
+        use_it: two(
+            "After a stretch of constant velocity of the same slope, at low speed: the acceleration jumps at the end, beside a dwell.",
+            "Después de un tramo de velocidad constante con la misma pendiente, a baja velocidad: la aceleración salta al final, junto a un detenimiento.",
+        ),
+        formulas: &[],
+        source: SHIGLEY,
+    },
+    LawWords {
+        id: "half-cycloidal-start",
+        idea: two(
+            "The first half of a cycloidal: from rest to full speed, with the acceleration zero at both ends.",
+            "La primera mitad de una cicloidal: del reposo a toda velocidad, con aceleración nula en los dos extremos.",
+        ),
+        use_it: two(
+            "Before a stretch of constant velocity. The slopes agree when $2L_1/β_1 = L_2/β_2$; only the jerk jumps.",
+            "Antes de un tramo de velocidad constante. Las pendientes coinciden cuando $2L_1/β_1 = L_2/β_2$; solo salta la sobreaceleración.",
+        ),
+        formulas: &[],
+        source: SHIGLEY,
+    },
+    LawWords {
+        id: "half-cycloidal-end",
+        idea: two(
+            "The second half of a cycloidal: from full speed to rest, with the acceleration zero at both ends.",
+            "La segunda mitad de una cicloidal: de toda velocidad al reposo, con aceleración nula en los dos extremos.",
+        ),
+        use_it: two(
+            "After a stretch of constant velocity. The slopes agree when $L_1/β_1 = 2L_2/β_2$; only the jerk jumps.",
+            "Después de un tramo de velocidad constante. Las pendientes coinciden cuando $L_1/β_1 = 2L_2/β_2$; solo salta la sobreaceleración.",
+        ),
+        formulas: &[],
+        source: SHIGLEY,
+    },
+    LawWords {
+        id: "polynomial-5",
+        idea: two(
+            "A polynomial that takes $s$, $v$ and $a$ from both neighbours: six conditions, six coefficients. Half of them are read off the start and the others come from a linear system at $x = 1$. Between two dwells it is the 3-4-5.",
+            "Un polinomio que toma $s$, $v$ y $a$ de sus dos vecinos: seis condiciones, seis coeficientes. La mitad se leen en el principio y los otros salen de un sistema lineal en $x = 1$. Entre dos detenimientos es el 3-4-5.",
+        ),
+        use_it: two(
+            "To leave or reach a stretch of constant velocity, or any move that does not end at rest. Two of them may not be side by side, since neither would know where to end.",
+            "Para salir de un tramo de velocidad constante o llegar a él, o a cualquier movimiento que no acabe en reposo. No puede haber dos seguidos, pues ninguno sabría cómo acabar.",
+        ),
+        formulas: &[
+            "s = c_0 + c_1 x + c_2 x^2 + c_3 x^3 + c_4 x^4 + c_5 x^5",
+            "c_0 = s_1, c_1 = β v_1, c_2 = (β^2 a_1)/2",
+            "c_3 + c_4 + c_5 = s_2 - c_0 - c_1 - c_2",
+            "3c_3 + 4c_4 + 5c_5 = β v_2 - c_1 - 2c_2",
+            "6c_3 + 12c_4 + 20c_5 = β^2 a_2 - 2c_2",
+        ],
+        source: NORTON,
+    },
+    LawWords {
+        id: "polynomial-7",
+        idea: two(
+            "A polynomial that takes $s$, $v$, $a$ and $j$ from both neighbours: eight conditions, eight coefficients. Between two dwells it is the 4-5-6-7.",
+            "Un polinomio que toma $s$, $v$, $a$ y $j$ de sus dos vecinos: ocho condiciones, ocho coeficientes. Entre dos detenimientos es el 4-5-6-7.",
+        ),
+        use_it: two(
+            "Where not even the jerk may jump. It swings more than the one of degree 5: look at its peak acceleration.",
+            "Donde no debe saltar ni la sobreaceleración. Oscila más que el de grado 5: conviene mirar su aceleración máxima.",
+        ),
+        formulas: &[
+            "s = c_0 + c_1 x + c_2 x^2 + … + c_7 x^7",
+            "c_0 = s_1, c_1 = β v_1, c_2 = (β^2 a_1)/2, c_3 = (β^3 j_1)/6",
+            "c_4 + c_5 + c_6 + c_7 = s_2 - c_0 - c_1 - c_2 - c_3",
+            "4c_4 + 5c_5 + 6c_6 + 7c_7 = β v_2 - c_1 - 2c_2 - 3c_3",
+            "12c_4 + 20c_5 + 30c_6 + 42c_7 = β^2 a_2 - 2c_2 - 6c_3",
+            "24c_4 + 60c_5 + 120c_6 + 210c_7 = β^3 j_2 - 6c_3",
+        ],
+        source: NORTON,
+    },
+    LawWords {
+        id: "polynomial",
+        idea: two(
+            "A polynomial through any list of conditions: at a place, an order (0 for $s$, 1 for $v$, 2 for $a$, 3 for $j$) and a value. With $n$ conditions the degree is $n - 1$.",
+            "Un polinomio por cualquier lista de condiciones: en un lugar, un orden (0 para $s$, 1 para $v$, 2 para $a$, 3 para $j$) y un valor. Con $n$ condiciones el grado es $n - 1$.",
+        ),
+        use_it: two(
+            "When the machine dictates points or speeds along the way. Every condition adds a power, and high powers swing between the points: with many of them prefer a B-spline.",
+            "Cuando la máquina impone puntos o velocidades por el camino. Cada condición añade una potencia, y las potencias altas oscilan entre los puntos: si son muchas es preferible una B-spline.",
+        ),
+        formulas: &["s = c_0 + c_1 x + c_2 x^2 + … + c_(n−1) x^(n - 1), x = θ/β"],
+        source: NORTON,
+    },
+    LawWords {
+        id: "bspline",
+        idea: two(
+            "Polynomials of degree 4 to 8 joined so smoothly that the joints cannot be seen: at the knots all derivatives but the last are continuous. Each coefficient moves only its own stretch of curve.",
+            "Polinomios de grado 4 a 8 unidos con tal suavidad que las uniones no se ven: en los nudos son continuas todas las derivadas salvo la última. Cada coeficiente mueve solo su trozo de curva.",
+        ),
+        use_it: two(
+            "Many conditions without the swings of one polynomial of high degree.",
+            "Muchas condiciones sin las oscilaciones de un único polinomio de grado alto.",
+        ),
+        formulas: &["s = c_1 N_1(x) + c_2 N_2(x) + … + c_n N_n(x)"],
+        source: "R. L. Norton, Cam Design and Manufacturing Handbook; C. de Boor, A Practical Guide to Splines",
+    },
+    LawWords {
+        id: "bezier",
+        idea: two(
+            "A polynomial in Bernstein form: the curve begins at the first ordinate, ends at the last and is drawn towards the others. The first and last two ordinates set the end velocities, three the accelerations, four the jerks.",
+            "Un polinomio en la forma de Bernstein: la curva empieza en la primera ordenada, acaba en la última y las demás tiran de ella. Las dos primeras y las dos últimas fijan las velocidades de los extremos; tres, las aceleraciones; cuatro, las sobreaceleraciones.",
+        ),
+        use_it: two(
+            "To shape a move by hand: equal ordinates at an end make it rest there.",
+            "Para dar forma a un movimiento a mano: unas ordenadas iguales en un extremo hacen que allí repose.",
+        ),
+        formulas: &["y = p_0 (1 - x)^n + n p_1 x (1 - x)^(n - 1) + … + p_n x^n", "y'_0 = n(p_1 - p_0)"],
+        source: "G. Farin, Curves and Surfaces for CAGD",
+    },
+    LawWords {
+        id: "formula",
+        idea: two(
+            "An expression of your own for $s$, with $x$, $θ$, $β$ and $L$. Its derivatives up to the jerk are exact: they are carried along with the value, not measured on the curve.",
+            "Una expresión propia de $s$, con $x$, $θ$, $β$ y $L$. Sus derivadas hasta la sobreaceleración son exactas: se arrastran con el valor, no se miden sobre la curva.",
+        ),
+        use_it: two(
+            "Exercises that give the law, and laws that are not in the list. What it does at its ends is up to the formula: the verdict tells whether it joins its neighbours.",
+            "Ejercicios que dan la ley, y leyes que no están en la lista. Lo que haga en los extremos depende de la fórmula: el veredicto dice si enlaza con sus vecinos.",
+        ),
+        formulas: &["s = f(x, θ, β, L)"],
+        source: NORTON,
+    },
+    LawWords {
+        id: "table",
+        idea: two(
+            "Measured points $(θ, s)$, joined or smoothed by a spline whose derivatives are then exact.",
+            "Puntos medidos $(θ, s)$, unidos o alisados por una spline cuyas derivadas son después exactas.",
+        ),
+        use_it: two(
+            "To study an existing cam. Each derivative multiplies the errors of measurement: smooth until the acceleration looks like that of a machine.",
+            "Para estudiar una leva existente. Cada derivada multiplica los errores de medida: alísese hasta que la aceleración parezca la de una máquina.",
+        ),
+        formulas: &["s(θ_k) ≈ s_k, k = 1, …, n"],
+        source: "C. de Boor, A Practical Guide to Splines",
+    },
+];

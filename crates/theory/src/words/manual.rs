@@ -1,0 +1,143 @@
+//! The manual: a section for each part of the page. Names of buttons are keys of the page's own strings.
+
+use super::{Two, two};
+
+/// A section of the manual.
+pub struct Screen {
+    /// Its place in the page.
+    pub id: &'static str,
+    /// Its heading.
+    pub name: Two,
+    /// Its text, in the markup of [`crate::html`].
+    pub text: Two,
+}
+
+/// Every section, in the order of the page.
+pub const SCREENS: &[Screen] = &[
+    Screen {
+        id: "start",
+        name: two("In a minute", "En un minuto"),
+        text: two(
+            "LevaLab opens with a cam that turns. Change any number: cam, diagrams and verdict follow at once. There is nothing to calculate and nothing to save: the whole design is in the address of the page.
+
+- Choose another cam under {header.examples}.
+- Press {transport.pause}, and drag the cam or a diagram: one cursor $θ$ moves everything.
+- Read the verdict below. What is wrong is told with its place, and its cure is a button.
+- {header.share} puts the whole design on the clipboard as a link.
+
+The question mark beside a magnitude explains it; {help.tour} under {header.help} shows the page around.",
+            "LevaLab se abre con una leva que gira. Cambie cualquier número: la leva, los diagramas y el veredicto responden al momento. No hay nada que calcular ni que guardar: todo el diseño está en la dirección de la página.
+
+- Elija otra leva en {header.examples}.
+- Pulse {transport.pause} y arrastre la leva o un diagrama: un único cursor $θ$ lo mueve todo.
+- Lea el veredicto de abajo. Lo que está mal se dice con su lugar, y su remedio es un botón.
+- {header.share} copia todo el diseño en forma de enlace.
+
+La interrogación junto a una magnitud la explica; {help.tour}, en {header.help}, enseña la página.",
+        ),
+    },
+    Screen {
+        id: "design",
+        name: two("Design panel", "Panel de diseño"),
+        text: two(
+            "{design.follower}: six drawings, one for each follower. A change keeps every number that makes sense in the new one.
+
+{design.geometry}: the drawing shows what each field measures; click a dimension to go to its field. Type with decimal point or comma, use the arrow keys, or drag sideways on the symbol. {design.rotation} is the sense in which the cam turns, {design.length-unit} the label of all lengths.
+
+{design.program}: each row is a segment, with its law, its angle $β$ and its rise $L$. The number at the left is a handle to move it, and ⋯ holds {action.insert-before}, {action.insert-after}, {action.duplicate}, {action.up}, {action.down} and {action.delete}. {segments.add} adds one at the end. Below, the panel tells what is missing for 360° and for closing the height, and offers {segments.fill}, {segments.fill.return}, {segments.stretch} or {segments.spread}.
+
+A number that cannot be is explained beside its field; the last good cam stays on screen, dimmed.",
+            "{design.follower}: seis dibujos, uno por seguidor. Al cambiar se conservan todos los números que tienen sentido en el nuevo.
+
+{design.geometry}: el dibujo muestra qué mide cada campo; al pulsar una cota se va a su campo. Se escribe con coma o punto decimal, con las flechas, o arrastrando el símbolo hacia los lados. {design.rotation} es el sentido en que gira la leva y {design.length-unit} el rótulo de todas las longitudes.
+
+{design.program}: cada fila es un tramo, con su ley, su ángulo $β$ y su elevación $L$. El número de la izquierda es un asidero para moverlo, y ⋯ contiene {action.insert-before}, {action.insert-after}, {action.duplicate}, {action.up}, {action.down} y {action.delete}. {segments.add} añade uno al final. Debajo, el panel dice lo que falta para 360° y para cerrar la altura, y ofrece {segments.fill}, {segments.fill.return}, {segments.stretch} o {segments.spread}.
+
+Un número imposible se explica junto a su campo; la última leva válida sigue en pantalla, atenuada.",
+        ),
+    },
+    Screen {
+        id: "mechanism",
+        name: two("Mechanism and animation", "Mecanismo y animación"),
+        text: two(
+            "Cam and follower to scale. Drag the cam to turn it by hand; drag beside it to move the picture; the wheel or two fingers zoom, and {stage.fit} shows all of it.
+
+{stage.layers} lays over it {stage.layer.base}, {stage.layer.prime}, {stage.layer.pitch}, {stage.layer.axes}, {stage.layer.normal}, {stage.layer.osculating} and {stage.layer.stations}, the graphical construction.
+
+{transport.play} and {transport.pause} turn and stop the cam; −1° and +1° step it; the slider and the field beside it set $θ$. {transport.speed} is a hand wheel: in the middle the cam stands still. The time of a turn is told as it is shown and as it really is.",
+            "Leva y seguidor a escala. Arrastre la leva para girarla a mano; arrastre fuera de ella para desplazar el dibujo; la rueda o dos dedos acercan, y {stage.fit} lo muestra entero.
+
+{stage.layers} superpone {stage.layer.base}, {stage.layer.prime}, {stage.layer.pitch}, {stage.layer.axes}, {stage.layer.normal}, {stage.layer.osculating} y {stage.layer.stations}, que es la construcción gráfica.
+
+{transport.play} y {transport.pause} mueven y detienen la leva; −1° y +1° la hacen avanzar por grados; la barra y el campo de al lado fijan $θ$. {transport.speed} es un volante: en el centro la leva está quieta. La duración de una vuelta se dice tal como se ve y tal como es.",
+        ),
+    },
+    Screen {
+        id: "diagrams",
+        name: two("Diagrams and instant values", "Diagramas y valores instantáneos"),
+        text: two(
+            "*SVAJ* shows $s$, $v$, $a$ and $j$; *φ* the pressure angle with its limit; *ρ* the radius of curvature. Each quantity has one colour and one dash everywhere. A circle left open at a jump is the limit from the left, a filled one that from the right.
+
+{diagram.per.radian.short} shows derivatives with respect to $θ$, {diagram.per.second.short} with respect to time. Drag over a diagram to move the cursor. Below are the {readout.title} at the cursor.",
+            "*SVAJ* muestra $s$, $v$, $a$ y $j$; *φ*, el ángulo de presión con su límite; *ρ*, el radio de curvatura. Cada magnitud tiene el mismo color y el mismo trazo en todas partes. En un salto, el círculo hueco es el límite por la izquierda y el lleno, por la derecha.
+
+{diagram.per.radian.short} muestra las derivadas respecto a $θ$ y {diagram.per.second.short}, respecto al tiempo. Arrastre sobre un diagrama para mover el cursor. Debajo están los {readout.title} en el cursor.",
+        ),
+    },
+    Screen {
+        id: "verdict",
+        name: two("Verdict", "Veredicto"),
+        text: two(
+            "A light with a shape and a word: *acceptable* (disc), *not for high speeds* (triangle), *unacceptable* (octagon). Beside it the {verdict.figures}, which lead to where they are reached.
+
+Each of the {verdict.findings} says what is wrong, where and by how much; its angles move the cursor there. The buttons under it are cures computed for this very cam, tried before they are offered; one click applies them and {header.undo} takes them back.",
+            "Una señal con forma y palabra: *aceptable* (disco), *no apta para altas velocidades* (triángulo), *inaceptable* (octógono). A su lado, las {verdict.figures}, que llevan a donde se alcanzan.
+
+Cada una de las {verdict.findings} dice qué está mal, dónde y cuánto; sus ángulos llevan allí el cursor. Los botones de debajo son remedios calculados para esta misma leva y probados antes de ofrecerlos; un clic los aplica y {header.undo} los retira.",
+        ),
+    },
+    Screen {
+        id: "files",
+        name: two("Links and files", "Enlaces y archivos"),
+        text: two(
+            "{header.share} copies a link that holds the whole design: nothing is sent to any server. A link that was damaged on the way is told, and never opened as another cam.
+
+Under {header.files}, {header.save} keeps the design as a file and {header.open} brings it back. The browser also remembers the last design. {header.undo} and {header.redo} cover everything, an opened link or file too.
+
+The page can be printed from the browser: diagrams are drawn anew for paper.",
+            "{header.share} copia un enlace que contiene todo el diseño: nada se envía a ningún servidor. Si un enlace se estropea por el camino, se avisa y nunca se abre como otra leva.
+
+En {header.files}, {header.save} guarda el diseño en un archivo y {header.open} lo recupera. El navegador recuerda además el último diseño. {header.undo} y {header.redo} lo cubren todo, también un enlace o un archivo abiertos.
+
+La página se imprime desde el navegador: los diagramas se dibujan de nuevo para el papel.",
+        ),
+    },
+    Screen {
+        id: "view",
+        name: two("Language, theme and projector", "Idioma, tema y proyector"),
+        text: two(
+            "*ES* and *EN* change the language in place; the half disc changes between the light and the dark theme and that of the system. {header.projector}, or the key P, enlarges type and strokes and leaves mechanism, diagrams and verdict for the classroom.",
+            "*ES* y *EN* cambian el idioma sobre la marcha; el medio disco alterna entre el tema claro, el oscuro y el del sistema. {header.projector}, o la tecla P, agranda letra y trazos y deja el mecanismo, los diagramas y el veredicto para el aula.",
+        ),
+    },
+    Screen {
+        id: "keyboard",
+        name: two("Keyboard", "Teclado"),
+        text: two(
+            "Everything is reached with Tab. Besides:
+
+- *Space*: {help.play}. *← →*: {help.step}.
+- *Ctrl Z*, *Ctrl Y*: {help.undo}.
+- *↑ ↓*: {help.step-field}. *Esc*: {help.escape}.
+- *Alt ↑*, *Alt ↓*: {help.move}.
+- *P*: {help.projector}. *?*: {help.help}.",
+            "A todo se llega con el tabulador. Además:
+
+- *Espacio*: {help.play}. *← →*: {help.step}.
+- *Ctrl Z*, *Ctrl Y*: {help.undo}.
+- *↑ ↓*: {help.step-field}. *Esc*: {help.escape}.
+- *Alt ↑*, *Alt ↓*: {help.move}.
+- *P*: {help.projector}. *?*: {help.help}.",
+        ),
+    },
+];

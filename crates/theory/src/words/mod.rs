@@ -1,0 +1,109 @@
+//! The words of the pages, side by side in both languages, so that neither can lack what the other says.
+
+pub mod concepts;
+pub mod followers;
+pub mod laws;
+pub mod manual;
+pub mod terms;
+
+use levalab_words::Language;
+
+/// The same in English and in Spanish.
+#[derive(Clone, Copy, Debug)]
+pub struct Two {
+    /// English.
+    pub en: &'static str,
+    /// Spanish.
+    pub es: &'static str,
+}
+
+impl Two {
+    /// In one of them.
+    #[must_use]
+    pub fn within(self, language: Language) -> &'static str {
+        match language {
+            Language::En => self.en,
+            Language::Es => self.es,
+        }
+    }
+}
+
+/// Both, English first.
+pub(crate) const fn two(en: &'static str, es: &'static str) -> Two {
+    Two { en, es }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{concepts, followers, laws, manual, terms};
+    use crate::formula::parse;
+    use levalab_core::law::{Arguments, Shape};
+    use levalab_core::{FOLLOWERS, LAWS};
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_law_and_follower_has_its_words() {
+        for law in LAWS {
+            let words = laws::law(law.id).unwrap_or_else(|| panic!("{} has no words", law.id));
+            for text in [words.idea.en, words.idea.es, words.use_it.en, words.use_it.es, words.source] {
+                assert!(text.len() > 20, "{}: {text}", law.id);
+            }
+            let fixed = matches!(law.shape, Shape::Unit(_)) && law.parameters.is_empty();
+            let arguments = Arguments { parameters: law.default_parameters(), falling: false };
+            let printed = fixed && law.unit(arguments).is_ok_and(|pieces| crate::curve::written(&pieces).is_some());
+            assert!(printed || !words.formulas.is_empty(), "{} has no formula", law.id);
+        }
+        for kind in FOLLOWERS {
+            assert!(followers::follower(kind.id).is_some(), "{} has no words", kind.id);
+        }
+    }
+
+    #[test]
+    fn every_parameter_is_a_term() {
+        let of_laws = LAWS.iter().flat_map(|law| law.parameters);
+        for parameter in FOLLOWERS.iter().flat_map(|kind| kind.parameters).chain(of_laws) {
+            assert!(terms::term(parameter.key).is_some(), "{} is not explained", parameter.key);
+        }
+    }
+
+    #[test]
+    fn every_formula_can_be_read() {
+        let texts = LAWS.iter().filter_map(|law| laws::law(law.id)).flat_map(|words| [words.idea, words.use_it]);
+        let concepts = [concepts::MOTION, concepts::GEOMETRY, concepts::KINDS];
+        let texts = texts.chain(concepts.into_iter().flatten().map(|concept| concept.text));
+        let terms = terms::GROUPS.iter().flat_map(|group| group.terms);
+        let texts = texts.chain(terms.clone().map(|term| term.text));
+        for text in texts.chain(manual::SCREENS.iter().map(|screen| screen.text)).flat_map(|text| [text.en, text.es]) {
+            for formula in text.split('$').skip(1).step_by(2).filter(|formula| !formula.is_empty()) {
+                assert!(parse(formula).is_ok(), "{formula}");
+            }
+        }
+        for formula in terms.filter_map(|term| term.formula) {
+            assert!(parse(formula).is_ok(), "{formula}");
+        }
+    }
+
+    #[test]
+    fn places_are_unique() {
+        let places = terms::GROUPS.iter().flat_map(|group| group.terms).map(|term| term.id);
+        let unique: BTreeSet<_> = places.clone().collect();
+        assert_eq!(unique.len(), places.count());
+    }
+
+    #[test]
+    fn both_languages_have_the_same_formulas_and_labels() {
+        let marks = |text: &str, open: char, close: char| {
+            let mut found: Vec<String> = text
+                .split(open)
+                .skip(1)
+                .filter_map(|rest| rest.split_once(close))
+                .map(|(inner, _)| inner.to_owned())
+                .collect();
+            found.sort();
+            found
+        };
+        for screen in manual::SCREENS {
+            assert_eq!(marks(screen.text.en, '{', '}'), marks(screen.text.es, '{', '}'), "{}", screen.id);
+        }
+    }
+}
