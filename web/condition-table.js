@@ -7,6 +7,7 @@
  */
 import { clean } from "./clean.js";
 import { h, symbol } from "./dom.js";
+import { mark } from "./help-mark.js";
 import { createNumberField, lengthStep, ownStep } from "./number-field.js";
 
 const ORDERS = ["s", "v", "a", "j"];
@@ -42,8 +43,9 @@ export function createConditionTable(context, { id, index }) {
   const head = h("div", { class: "row head", "aria-hidden": "true" }, h("span", {}, symbol("θ"), " °"), ...ORDERS.map((order) => h("span", { class: order }, symbol(order))));
   const body = h("div", { class: "body" });
   const add = h("button", { type: "button", class: "quiet" });
-  const hint = h("span", { class: "hint" });
-  const root = h("div", { class: "conditions", role: "group" }, head, body, h("div", { class: "foot" }, add, hint));
+  const named = `${id}-conditions`;
+  const hint = h("span", { class: "hint", id: named });
+  const root = h("div", { class: "conditions", role: "group" }, head, body, h("div", { class: "foot" }, add, hint, mark("conditions", named)));
 
   /** @param {Readonly<Design>} design */
   const segmentOf = (design) => design.segments[index()];

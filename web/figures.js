@@ -4,6 +4,10 @@
  * @import { Range, ShellContext } from "./types.d.ts"
  */
 import { h } from "./dom.js";
+import { mark } from "./help-mark.js";
+
+/** What the question mark beside a figure explains. @type {Record<string, string>} */
+const TERMS = { phi: "pressure_angle" };
 
 /** @param {ShellContext} context */
 export function createFigures({ store, t, format }) {
@@ -39,12 +43,14 @@ export function createFigures({ store, t, format }) {
 
     update() {
       const list = entries();
-      while (buttons.length > list.length) buttons.pop()?.remove();
+      while (buttons.length > list.length) buttons.pop()?.parentElement?.remove();
       while (buttons.length < list.length) buttons.push(figure(buttons.length));
       list.forEach(([kind, text], index) => {
         const button = buttons[index];
         if (!button || button.textContent === text) return;
         button.className = `figure ${kind}`;
+        const asks = button.nextElementSibling;
+        if (asks instanceof HTMLElement) asks.dataset["term"] = TERMS[kind] ?? kind;
         button.textContent = text;
       });
     },
@@ -54,12 +60,12 @@ export function createFigures({ store, t, format }) {
 
   /** A figure, which leads to where it is reached. @param {number} index */
   function figure(index) {
-    const button = h("button", { type: "button" });
+    const button = h("button", { type: "button", id: `figure-${index}` });
     button.addEventListener("click", () => {
       const theta = entries()[index]?.[2];
       if (theta !== undefined) store.set({ cursor: theta % 360, playing: false });
     });
-    root.append(button);
+    root.append(h("span", { class: "figure-place" }, button, mark("", button.id)));
     return button;
   }
 }

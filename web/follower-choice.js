@@ -7,6 +7,7 @@
 import { h } from "./dom.js";
 import { changeFollower } from "./follower-change.js";
 import { followerDrawing } from "./follower-drawings.js";
+import { mark } from "./help-mark.js";
 
 /**
  * @param {ShellContext} context
@@ -28,7 +29,7 @@ export function createFollowerChoice({ store, catalogue, t }, texts) {
   const root = h(
     "fieldset",
     { class: "followers" },
-    h("legend", {}, texts.text(h("span"), "design.follower"), chosen),
+    h("legend", {}, texts.text(h("span", { id: "head-follower" }), "design.follower"), chosen, mark("follower", "head-follower")),
     h("div", { class: "choices" }, ...radios.map(({ input }) => input.parentElement)),
   );
 

@@ -8,6 +8,7 @@
 import { h, symbol, write } from "./dom.js";
 import { followerEntry } from "./follower-choice.js";
 import { createHelpDrawing } from "./help-drawings.js";
+import { mark } from "./help-mark.js";
 import { createNumberField, lengthStep, ownStep } from "./number-field.js";
 
 /** @type {Rotation[]} */
@@ -103,7 +104,7 @@ export function createGeometry(context, texts) {
    */
   function row(key, field) {
     const unit = key === "speed" ? speedUnit : field.unit;
-    return h("div", { class: "field", "data-key": key }, field.label, field.input, unit, field.error);
+    return h("div", { class: "field", "data-key": key }, field.label, field.input, unit, mark(key, `field-${key}-label`), field.error);
   }
 
   function speak() {
@@ -122,8 +123,9 @@ export function createGeometry(context, texts) {
   const choices = h(
     "div",
     { class: "choices-row" },
-    texts.text(h("label", { for: "field-rotation" }), "design.rotation"),
+    texts.text(h("label", { for: "field-rotation", id: "name-rotation" }), "design.rotation"),
     rotation,
+    mark("rotation", "name-rotation"),
     texts.attribute(texts.text(h("label", { for: "field-length-unit" }), "design.length-unit"), "title", "design.length-unit.hint"),
     lengthUnit,
   );

@@ -6,7 +6,6 @@
  */
 import { h } from "./dom.js";
 import { createFiles } from "./files.js";
-import { createHelp } from "./help.js";
 import { icon } from "./icons.js";
 import { createShare } from "./share.js";
 import { createTexts } from "./texts.js";
@@ -30,7 +29,10 @@ export function mount(root, context, engine) {
   const history = createHistory(context);
   const share = createShare(context, texts);
   const files = createFiles(context, texts, engine);
-  const help = createHelp(texts);
+  const help = h("button", { type: "button", class: "quiet", id: "help-button", "aria-haspopup": "dialog" }, "?");
+  help.addEventListener("click", async () => (await import("./help/dialog.js")).open(context));
+  texts.attribute(help, "aria-label", "header.help");
+  texts.attribute(help, "title", "header.help");
   const theme = createTheme(context);
   const languages = createLanguages(context, texts);
   const projector = h("button", { type: "button", class: "quiet" }, icon("projector"));
@@ -48,8 +50,7 @@ export function mount(root, context, engine) {
       h("div", { class: "group" }, history.undo, history.redo),
       h("div", { class: "group" }, share.root, ...files),
     ),
-    h("div", { class: "group end" }, languages.root, theme.button, projector, help.button),
-    help.dialog,
+    h("div", { class: "group end" }, languages.root, theme.button, projector, help),
   );
 
   function follow() {

@@ -24,7 +24,7 @@ export function listen({ store }) {
     if (change) store.set(change);
     else if (event.altKey) return;
     else if (key === "p") store.set({ projector: !store.state.projector });
-    else if (key === "?") document.querySelector("dialog")?.showModal();
+    else if (key === "?") document.getElementById("help-button")?.click();
     else return;
     event.preventDefault();
   });

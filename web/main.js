@@ -9,6 +9,7 @@ import * as designPanel from "./design-panel.js";
 import * as diagrams from "./diagrams.js";
 import { startEngine } from "./engine.js";
 import * as header from "./header.js";
+import { answer } from "./help-mark.js";
 import * as keys from "./keys.js";
 import { firstDesign, keepLink } from "./link.js";
 import * as mechanism from "./mechanism.js";
@@ -65,6 +66,7 @@ async function start() {
   readouts.mount(element("readouts"), context);
   verdict.mount(element("verdict"), context);
   keys.listen(context);
+  answer(context);
   keepLink(context, engine, first.damaged !== undefined);
   const { damaged } = first;
   if (damaged) banner.show("banner.link", () => ({ reason: engine.openLink(damaged).error?.message ?? "" }), damaged);

@@ -40,7 +40,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   const unitNode = h("span", { class: "unit", id: `${id}-unit` });
   const error = h("p", { class: "error", id: errorId, hidden: true });
   const heard = h("span", { class: "unseen" });
-  const labelNode = label ? h("label", { for: id }, label, heard) : null;
+  const labelNode = label ? h("label", { for: id, id: `${id}-label` }, label, heard) : null;
 
   /** @type {number | undefined} */
   let shown;

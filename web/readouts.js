@@ -4,6 +4,7 @@
  * @import { Context, Report, State } from "./types.d.ts"
  */
 import { h } from "./dom.js";
+import { mark } from "./help-mark.js";
 import { decimalsOf } from "./stage/clock.js";
 import { AT, instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
@@ -71,8 +72,8 @@ export function mount(root, context) {
     const name = h("span", { class: "unseen" });
     const unit = h("span", { class: "readout-unit" });
     const output = h("output", { id, "aria-live": "off" });
-    const label = h("label", { for: id }, letter, name);
-    return { reading, letter, name, unit, output, label, element: h("div", { class: `readout readout-${reading.token}` }, label, output, unit), digits: 0 };
+    const label = h("label", { for: id, id: `${id}-label` }, letter, name);
+    return { reading, letter, name, unit, output, label, element: h("div", { class: `readout readout-${reading.token}` }, label, mark(reading.name, label.id), output, unit), digits: 0 };
   }));
   const cells = columns.flat();
   const grid = h("div", { class: "readout-grid" }, ...columns.map((column) => h("div", {}, ...column.map(({ element }) => element))));
@@ -120,7 +121,7 @@ export function mount(root, context) {
       cell.element.hidden = reading.name === "contact" && !report.summary.contact;
     }
     grid.style.setProperty("--unit", `${measure}ch`);
-    grid.style.setProperty("--cell", `calc(2em + ${figures + measure}ch)`);
+    grid.style.setProperty("--cell", `calc(2.6em + ${figures + measure}ch)`);
   }
 }
 

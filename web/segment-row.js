@@ -7,6 +7,7 @@
  */
 import { clean } from "./clean.js";
 import { h, symbol } from "./dom.js";
+import { mark } from "./help-mark.js";
 import { setBeta } from "./free-data.js";
 import { createThumbnail } from "./law-thumbnail.js";
 import { createNumberField, lengthStep } from "./number-field.js";
@@ -111,7 +112,7 @@ export function createSegmentRow(context, actions) {
       ...extras.map(({ key, field }) => {
         field.speak();
         if (field.label) field.label.title = t(`parameter.${key}.hint`);
-        return h("div", { class: "field" }, field.label, field.input);
+        return h("div", { class: "field" }, field.label, field.input, mark(key, field.label?.id ?? ""));
       }),
       ...extras.map(({ field }) => field.error),
     );

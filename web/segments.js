@@ -7,6 +7,7 @@
  * @import { Texts } from "./texts.js"
  */
 import { h, symbol } from "./dom.js";
+import { mark } from "./help-mark.js";
 import * as program from "./program.js";
 import { createClosing } from "./segment-closing.js";
 import { createSegmentMenu } from "./segment-menu.js";
@@ -27,11 +28,18 @@ export function createSegments(context, texts) {
   const riseHead = h("span", { class: "unit" });
   const head = h(
     "div",
-    { class: "segments-head", "aria-hidden": "true" },
-    texts.text(h("span", { class: "law-head" }), "segments.law"),
-    h("span", { class: "number-head" }, symbol("β"), " °"),
-    h("span", { class: "number-head" }, symbol("L"), " ", riseHead),
+    { class: "segments-head" },
+    h("span", { class: "law-head" }, texts.text(h("span", { id: "head-law" }), "segments.law"), mark("law", "head-law")),
+    ...column("beta", symbol("β"), " °"),
+    ...column("rise", symbol("L"), " ", riseHead),
   );
+
+  /** @param {string} key @param {...(Node | string)} shown */
+  function column(key, ...shown) {
+    const name = texts.text(h("span", { class: "unseen", id: `head-${key}` }), `parameter.${key}`);
+    return [h("span", { class: `number-head ${key}` }, h("span", { "aria-hidden": "true" }, ...shown), name), h("span", { class: `mark-head ${key}` }, mark(key, name.id))];
+  }
+
   const add = texts.text(h("button", { type: "button", class: "quiet" }), "segments.add");
   const closing = createClosing(context, texts, add);
   const menu = createSegmentMenu(t, act);

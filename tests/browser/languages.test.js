@@ -10,7 +10,7 @@ import { LINKS, baseRadiusCure, becomes, beta, diagram, en, es, eventually, fiel
 const KEY = /^[a-z]+\.[a-z.]+$/;
 
 /** Proper names and international words, the same in both languages. */
-const SHARED = /^(LevaLab|SVAJ|SCCA|Example R1|Example R1 · LevaLab|Ctrl [A-Z]|Alt [↑↓]|Esc|English|Español|rpm|rev\/s|.{1,2}\/rad[²³]?)$/;
+const SHARED = /^(LevaLab|SVAJ|SCCA|Example R1|Example R1 · LevaLab|Ctrl [A-Z]|Alt [↑↓]|Esc|Manual|English|Español|rpm|rev\/s|.{1,2}\/rad[²³]?)$/;
 
 /** @param {Page} page @param {"es" | "en"} language */
 const switchTo = (page, language) => page.getByRole("button", { name: language.toUpperCase(), exact: true }).click();

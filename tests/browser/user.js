@@ -5,6 +5,8 @@ import { es as esShell } from "../../web/strings/es.js";
 import { addStrings, createTranslate } from "../../web/strings/index.js";
 import { filesEn } from "../../web/strings/files.en.js";
 import { filesEs } from "../../web/strings/files.es.js";
+import { helpEn } from "../../web/strings/help.en.js";
+import { helpEs } from "../../web/strings/help.es.js";
 import { stageEn } from "../../web/strings/stage.en.js";
 import { stageEs } from "../../web/strings/stage.es.js";
 import { openPage } from "./harness.js";
@@ -15,9 +17,9 @@ import { openPage } from "./harness.js";
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-addStrings({ en: filesEn, es: filesEs });
-export const en = words("en", { ...enShell, ...stageEn, ...filesEn });
-export const es = words("es", { ...esShell, ...stageEs, ...filesEs });
+addStrings({ en: { ...filesEn, ...helpEn }, es: { ...filesEs, ...helpEs } });
+export const en = words("en", { ...enShell, ...stageEn, ...filesEn, ...helpEn });
+export const es = words("es", { ...esShell, ...stageEs, ...filesEs, ...helpEs });
 
 /**
  * The page's own words, and no others: a key that is gone should not go unnoticed.

@@ -4,6 +4,7 @@
  * @import { Context } from "../types.d.ts"
  */
 import { h, s } from "../dom.js";
+import { mark } from "../help-mark.js";
 import { LAYERS, applies } from "./layers.js";
 
 /** @param {Context} context */
@@ -12,8 +13,8 @@ export function layersMenu({ store, t }) {
   const items = /** @type {(keyof typeof LAYERS)[]} */ (Object.keys(LAYERS)).map((layer) => {
     const box = h("input", { type: "checkbox", onchange: () => store.set({ layers: { ...store.state.layers, [layer]: box.checked } }) });
     const sample = s("svg", { class: `stage-sample stage-sample-${layer}`, viewBox: "0 0 28 8", "aria-hidden": "true" }, s("path", { d: "M1 4H27" }));
-    const name = h("span");
-    return { layer, box, name, row: h("label", {}, box, sample, name) };
+    const name = h("span", { id: `layer-name-${layer}` });
+    return { layer, box, name, row: h("div", { class: "stage-layer" }, h("label", {}, box, sample, name), mark(`layer-${layer}`, name.id)) };
   });
   const root = h("details", { class: "stage-layers" }, title, h("div", { class: "stage-layers-list" }, ...items.map(({ row }) => row)));
   root.addEventListener("keydown", (event) => {

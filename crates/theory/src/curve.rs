@@ -1,8 +1,8 @@
 //! The formulas of a law from its own curve: what is printed is what is computed.
 
 use crate::exact::{Exact, peak_notation};
-use levalab_core::Curve;
 use levalab_core::law::Piece;
+use levalab_core::{Curve, Form, MAX_COEFFICIENTS};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The notation of y and of its three derivatives, the left side first.
@@ -27,7 +27,7 @@ pub struct WrittenPiece {
 /// The formulas of these pieces; none when their numbers are not those of books.
 #[must_use]
 pub fn written(pieces: &[Piece]) -> Option<Written> {
-    let plain = terms_of(pieces, 1.0).filter(|pieces| pieces.iter().all(|terms| terms.is_simple()));
+    let plain = terms_of(pieces, 1.0).filter(|pieces| pieces.iter().all(Terms::is_simple));
     let (factor, terms) = match plain {
         Some(terms) => (None, terms),
         None => {
@@ -54,7 +54,7 @@ fn peak(pieces: &[Piece]) -> f64 {
     let mut peak = 0.0_f64;
     for piece in pieces {
         let at = |i: usize| from + (piece.until - from) * i as f64 / STEPS as f64;
-        let curve = piece.curve;
+        let curve = &piece.curve;
         peak = (0..=STEPS).map(|i| curve.at(at(i)).a.abs()).fold(peak, f64::max);
         from = piece.until;
     }
@@ -80,11 +80,17 @@ struct Wave {
 }
 
 fn terms_of(pieces: &[Piece], scale: f64) -> Option<Vec<Terms>> {
-    pieces.iter().map(|piece| Terms::of(&piece.curve.scaled(scale, 0.0))).collect()
+    pieces.iter().map(|piece| Terms::of(&piece.curve.clone().scaled(scale, 0.0))).collect()
 }
 
 impl Terms {
-    fn of(curve: &Curve) -> Option<Self> {
+    fn of(form: &Form) -> Option<Self> {
+        let curve = match form {
+            Form::Curve(curve) => curve,
+            Form::Series(_) => {
+                &Curve::polynomial(form.coefficients().filter(|all| all.len() <= MAX_COEFFICIENTS)?.as_slice())
+            }
+        };
         let powers: Option<Vec<Exact>> = curve.coefficients().iter().map(|&c| Exact::of(c)).collect();
         let waves: Option<Vec<Wave>> = curve.waves().iter().map(Wave::of).collect();
         let mut terms = Self { reversed: false, powers: powers?, waves: waves? };
@@ -163,7 +169,7 @@ impl Wave {
         for _ in 0..order {
             amplitude = amplitude.times(&self.frequency);
         }
-        let name = if quarters % 2 == 0 { "sin" } else { "cos" };
+        let name = if quarters.is_multiple_of(2) { "sin" } else { "cos" };
         let mut angle = self.frequency.notation("x");
         if !self.phase.is_zero() {
             angle += if self.phase.is_negative() { " - " } else { " + " };

@@ -68,7 +68,7 @@ impl Exact {
                 match parts.iter_mut().find(|known| known.power == part.power) {
                     Some(known) => {
                         *known =
-                            Part::new(known.num * part.den + part.num * known.den, known.den * part.den, part.power)
+                            Part::new(known.num * part.den + part.num * known.den, known.den * part.den, part.power);
                     }
                     None => parts.push(part),
                 }

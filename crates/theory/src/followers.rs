@@ -57,7 +57,7 @@ mod tests {
             let Some(right) = value(sides[1]) else { panic!("{text}: nothing is known of the right side") };
             match (sides[0], value(sides[0])) {
                 (_, Some(left)) => {
-                    assert!((left - right).norm() < 1e-9 * (1.0 + right.norm()), "{text}: {left} and {right}")
+                    assert!((left - right).norm() < 1e-9 * (1.0 + right.norm()), "{text}: {left} and {right}");
                 }
                 (Formula::Symbol(name), None) => {
                     known.insert(name.clone(), right);

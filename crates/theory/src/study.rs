@@ -35,7 +35,7 @@ impl Study {
 fn jumps(pieces: &[Piece]) -> [Vec<(f64, f64)>; 4] {
     let mut jumps = [const { Vec::new() }; 4];
     let (mut x, mut before) = (0.0, Svaj::default());
-    let rest = Piece { until: 1.0, curve: levalab_core::Curve::polynomial(&[1.0]) };
+    let rest = Piece::new(1.0, levalab_core::Curve::polynomial(&[1.0]));
     for piece in pieces.iter().chain([&rest]) {
         let step = piece.curve.at(x) - before;
         for (order, places) in jumps.iter_mut().enumerate() {

@@ -14,14 +14,18 @@ pub fn entry(pen: Pen, term: &Term, assets: &Assets) -> String {
     } else {
         format!("<span class=\"sign\">{}</span> ", pen.formula(term.symbol))
     };
-    let mut rows = format!("<dt>{}</dt><dd>{}</dd>", within(two("Unit", "Unidad")), pen.line(within(term.unit)));
+    let mut rows = String::new();
+    if !term.symbol.is_empty() || term.unit.en != "none" {
+        rows += &format!("<dt>{}</dt><dd>{}</dd>", within(two("Unit", "Unidad")), pen.line(within(term.unit)));
+    }
     if let Some(sign) = term.sign {
         rows += &format!("<dt>{}</dt><dd>{}</dd>", within(two("Sign", "Signo")), pen.line(within(sign)));
     }
+    let rows = if rows.is_empty() { rows } else { format!("<dl>{rows}</dl>") };
     let formula = term.formula.map(|formula| pen.displayed(formula)).unwrap_or_default();
     let drawing = term.drawing.map(|(name, lit)| assets.drawing(name, lit)).unwrap_or_default();
     format!(
-        "<article class=\"term\" id=\"{id}\"><h3><a href=\"#{id}\">{symbol}{name}</a></h3>{drawing}<p>{text}</p>{formula}<dl>{rows}</dl>\
+        "<article class=\"term\" id=\"{id}\"><h3><a href=\"#{id}\">{symbol}{name}</a></h3>{drawing}<p>{text}</p>{formula}{rows}\
          <p class=\"more\"><a href=\"{theory}.html#{anchor}\">{more}</a></p></article>\n",
         id = term.id,
         name = escape(within(term.name)),

@@ -4,10 +4,7 @@ use std::{fs, io::Write, path::Path, process::Stdio};
 
 use anyhow::{Context, Result, ensure};
 
-use crate::{
-    process::{self, cargo},
-    project,
-};
+use crate::process::{self, cargo};
 
 /// Style sheets that these pages, and the cards that show parts of them, load by name.
 pub const SHEETS: [&str; 2] = ["web/styles/theory.css", "web/styles/help.css"];

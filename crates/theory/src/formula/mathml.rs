@@ -13,8 +13,17 @@ pub fn inline(formula: &Formula, language: Language) -> String {
 /// A formula on a line of its own.
 #[must_use]
 pub fn block(formula: &Formula, language: Language) -> String {
-    format!("<math display=\"block\">{}</math>", Writer { language }.row(formula))
+    let writer = Writer { language };
+    // Equations side by side stand well apart.
+    let row = match formula {
+        Formula::List(items) => items.iter().map(|item| writer.row(item)).collect::<Vec<_>>().join(APART),
+        other => writer.row(other),
+    };
+    format!("<math display=\"block\">{row}</math>")
 }
+
+/// Between equations in a line.
+const APART: &str = "<mo separator=\"true\">,</mo><mspace width=\"1.2em\"/>";
 
 /// How tightly a formula holds together: parentheses go around what is looser than its surroundings.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
@@ -75,8 +84,7 @@ impl Writer {
             }
             Formula::List(items) => {
                 let items: Vec<String> = items.iter().map(|item| self.row(item)).collect();
-                // A comma between numbers that have commas of their own would be misread.
-                items.join("<mo separator=\"true\">;</mo><mspace width=\"0.3em\"/>")
+                items.join("<mo separator=\"true\">,</mo><mspace width=\"0.2em\"/>")
             }
         }
     }

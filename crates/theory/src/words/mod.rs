@@ -106,4 +106,38 @@ mod tests {
             assert_eq!(marks(screen.text.en, '{', '}'), marks(screen.text.es, '{', '}'), "{}", screen.id);
         }
     }
+
+    /// Keys of the page's strings, as they are written in its files.
+    fn known_labels() -> BTreeSet<String> {
+        let strings = concat!(env!("CARGO_MANIFEST_DIR"), "/../../web/strings");
+        let files =
+            std::fs::read_dir(strings).expect("the page has strings").map(|entry| entry.expect("readable").path());
+        let files = files.filter(|file| file.to_string_lossy().ends_with("en.js"));
+        let texts = files.map(|file| std::fs::read_to_string(file).expect("text"));
+        let keys = |text: String| {
+            text.lines()
+                .filter_map(|line| Some(line.trim().strip_prefix('"')?.split_once("\":")?.0.to_owned()))
+                .collect::<Vec<_>>()
+        };
+        texts.flat_map(keys).collect()
+    }
+
+    #[test]
+    fn every_label_that_is_named_exists() {
+        let known = known_labels();
+        let texts = manual::SCREENS.iter().map(|screen| screen.text.en);
+        let concepts = [concepts::MOTION, concepts::GEOMETRY, concepts::KINDS]
+            .into_iter()
+            .flatten()
+            .map(|concept| concept.text.en);
+        let mut named = 0;
+        for text in texts.chain(concepts) {
+            let outside_formulas: String = text.split('$').step_by(2).collect();
+            for label in outside_formulas.split('{').skip(1).filter_map(|rest| rest.split_once('}')) {
+                assert!(known.contains(label.0), "the page has no label `{}`", label.0);
+                named += 1;
+            }
+        }
+        assert!(named > 40, "only {named} labels are named");
+    }
 }

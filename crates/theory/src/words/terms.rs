@@ -126,7 +126,6 @@ const GEOMETRY: &[Term] = &[
         formula: Some("tan(φ) = (v - σe)/(s_0 + s)"),
         drawing: Some(("translating-roller", "eccentricity")),
         theory: "pressure-angle",
-        ..PLAIN
     },
     Term {
         id: "face_angle",
@@ -144,7 +143,6 @@ const GEOMETRY: &[Term] = &[
         formula: Some("φ = σγ"),
         drawing: Some(("translating-flat", "face_angle")),
         theory: "translating-flat",
-        ..PLAIN
     },
     Term {
         id: "arm",
@@ -203,7 +201,6 @@ const GEOMETRY: &[Term] = &[
         formula: Some("sin(ξ_0) = (R_b - f)/m"),
         drawing: Some(("oscillating-flat", "face_offset")),
         theory: "oscillating-flat",
-        ..PLAIN
     },
     Term {
         id: "speed",
@@ -300,6 +297,17 @@ const PROGRAM: &[Term] = &[
         theory: "scca",
         ..PLAIN
     },
+    Term {
+        id: "conditions",
+        name: two("Conditions of a polynomial", "Condiciones de un polinomio"),
+        text: two(
+            "What the motion must do at given places: a height, a velocity, an acceleration or a jerk. An empty cell leaves it free. With $n$ conditions the polynomial has degree $n - 1$.",
+            "Lo que debe cumplir el movimiento en ciertos lugares: una altura, una velocidad, una aceleración o una sobreaceleración. Una celda vacía lo deja libre. Con $n$ condiciones el polinomio es de grado $n - 1$.",
+        ),
+        formula: Some("s = c_0 + c_1 x + c_2 x^2 + … + c_(n−1) x^(n - 1)"),
+        theory: "polynomial",
+        ..PLAIN
+    },
 ];
 
 const MOTION: &[Term] = &[
@@ -372,7 +380,6 @@ const MOTION: &[Term] = &[
         formula: Some("a = (d^2 s)/(d θ^2), A = aω^2"),
         drawing: Some(("motion", "a")),
         theory: "fundamental-law",
-        ..PLAIN
     },
     Term {
         id: "j",
@@ -387,7 +394,6 @@ const MOTION: &[Term] = &[
         formula: Some("j = (d^3 s)/(d θ^3), J = jω^3"),
         drawing: Some(("motion", "j")),
         theory: "fundamental-law",
-        ..PLAIN
     },
     Term {
         id: "opening",
@@ -419,7 +425,6 @@ const CONTACT: &[Term] = &[
         formula: Some("tan(φ) = (v - σe)/(s_0 + s)"),
         drawing: Some(("mechanism", "pressure_angle")),
         theory: "pressure-angle",
-        ..PLAIN
     },
     Term {
         id: "rho",
@@ -437,7 +442,6 @@ const CONTACT: &[Term] = &[
         formula: Some("ρ = ρ_p - R_f"),
         drawing: Some(("mechanism", "rho")),
         theory: "radius",
-        ..PLAIN
     },
     Term {
         id: "contact",
@@ -455,7 +459,6 @@ const CONTACT: &[Term] = &[
         formula: Some("q = σv"),
         drawing: Some(("flat", "contact")),
         theory: "translating-flat",
-        ..PLAIN
     },
     Term {
         id: "face",
