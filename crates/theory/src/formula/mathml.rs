@@ -139,7 +139,11 @@ impl Writer {
             }
             _ => false,
         };
-        if bare { self.row(inner) } else { format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", self.row(inner)) }
+        if bare {
+            format!("<mspace width=\"0.17em\"/>{}", self.row(inner))
+        } else {
+            format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", self.row(inner))
+        }
     }
 
     /// As a single element.
@@ -191,7 +195,10 @@ mod tests {
         assert_eq!(written("R_b"), "<msub><mi>R</mi><mtext>b</mtext></msub>");
         assert_eq!(written("y''"), "<msup><mi>y</mi><mo>′′</mo></msup>");
         assert_eq!(written("0.5"), "<mn>0,5</mn>");
-        assert_eq!(written("sin(2a)"), "<mi>sen</mi><mo>&#x2061;</mo><mn>2</mn><mo>&#x2062;</mo><mi>a</mi>");
+        assert_eq!(
+            written("sin(2a)"),
+            "<mi>sen</mi><mo>&#x2061;</mo><mspace width=\"0.17em\"/><mn>2</mn><mo>&#x2062;</mo><mi>a</mi>"
+        );
         assert_eq!(
             written("(a + b)/c"),
             "<mfrac><mrow><mi>a</mi><mo>+</mo><mi>b</mi></mrow><mrow><mi>c</mi></mrow></mfrac>"
