@@ -6,6 +6,7 @@
 import { h } from "../dom.js";
 import { followerEntry } from "../follower-choice.js";
 import { createHelpDrawing } from "../help-drawings.js";
+import { isSingleFile } from "../packed.js";
 import { beside } from "./place.js";
 import { dressed, pageAddress } from "./words.js";
 
@@ -40,6 +41,8 @@ export async function show(context, asked) {
  * @param {string} term
  */
 async function find(language, term) {
+  const within = document.getElementById(`terms-${language}`);
+  if (within instanceof HTMLTemplateElement) return /** @type {HTMLElement | null} */ (within.content.getElementById(term));
   try {
     let page = pages.get(language);
     if (!page) pages.set(language, (page = read(pageAddress("terms-", language))));
@@ -74,6 +77,7 @@ function dress({ store, catalogue, t }, entry, term) {
   const name = article.querySelector("h3");
   const title = h("h2", { id: "term-name" }, ...(name?.querySelector("a")?.childNodes ?? []));
   name?.replaceWith(title);
+  if (isSingleFile()) article.querySelector(".more")?.remove();
   for (const link of article.querySelectorAll("a")) {
     link.href = new URL(link.getAttribute("href") ?? "", pageAddress("", store.state.language)).href;
     link.target = "_blank";

@@ -4,6 +4,7 @@
  * @import { ShellContext } from "../types.d.ts"
  */
 import { h } from "../dom.js";
+import { isSingleFile } from "../packed.js";
 import { createTexts } from "../texts.js";
 import { startTour } from "./tour.js";
 import { dressed, pageAddress } from "./words.js";
@@ -26,6 +27,8 @@ function create(context) {
   const close = texts.text(h("button", { type: "button", autofocus: true }), "help.close");
   const tour = texts.text(h("button", { type: "button", class: "start-tour" }), "help.tour");
   const reading = h("ul", { class: "reading" }, link("manual-", "help.manual", "help.manual.hint"), link("", "help.theory", "help.theory.hint"), link("terms-", "help.terms", "help.terms.hint"));
+  // They are pages of their own, which a single file has not.
+  reading.hidden = isSingleFile();
   const words = {
     or: () => texts.text(h("span"), "key.or"),
     space: () => texts.text(h("kbd"), "key.space"),

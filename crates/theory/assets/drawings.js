@@ -26,7 +26,7 @@ const LIFT = 30;
 const ROLLER = 15;
 /** Direction of the nose of the cam, degrees. */
 const NOSE = 38;
-const STEP = 1;
+const STEP = 3;
 
 /** Radius of the profile in a direction. @param {number} degrees */
 function reach(degrees) {

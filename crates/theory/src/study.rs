@@ -3,6 +3,11 @@
 use levalab_core::law::{Arguments, Piece};
 use levalab_core::{Analysis, Cam, Follower, FollowerKind, Law, Program, Rotation, Segment, Svaj};
 
+/// A rise with the parameters that a form starts with.
+pub(crate) fn rising(law: &Law) -> Arguments {
+    Arguments { parameters: law.default_parameters(), falling: false, beta: 1.0 }
+}
+
 /// A jump smaller than this beside the peaks is rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -20,7 +25,7 @@ impl Study {
     /// Studies a law with the parameters that a form starts with; none when its curve depends on data.
     #[must_use]
     pub fn of(law: &Law) -> Option<Self> {
-        let pieces = law.unit(Arguments { parameters: law.default_parameters(), falling: false }).ok()?;
+        let pieces = law.unit(rising(law)).ok()?;
         let peaks = if law.is_dwell() { [0.0; 4] } else { peaks(law)? };
         Some(Self { jumps: jumps(&pieces), pieces, peaks })
     }
@@ -37,13 +42,13 @@ fn jumps(pieces: &[Piece]) -> [Vec<(f64, f64)>; 4] {
     let (mut x, mut before) = (0.0, Svaj::default());
     let rest = Piece::new(1.0, levalab_core::Curve::polynomial(&[1.0]));
     for piece in pieces.iter().chain([&rest]) {
-        let step = piece.curve.at(x) - before;
+        let step = piece.at(x) - before;
         for (order, places) in jumps.iter_mut().enumerate() {
             if step.order(order).abs() > ROUNDING * 10_f64.powi(order as i32) {
                 places.push((x, step.order(order)));
             }
         }
-        (x, before) = (piece.until, piece.curve.at(piece.until));
+        (x, before) = (piece.until, piece.at(piece.until));
     }
     jumps
 }

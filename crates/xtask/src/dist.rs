@@ -73,7 +73,14 @@ fn write() -> Result<Packed> {
     fs::write(dist.join("index.html"), html::packed_as(&page.rewrite(&html), "site"))?;
     let names = names(&dist)?;
     offline::write_worker(&dist, &hash, &content_hash(&dist)?, &names)?;
-    let single = single::Parts { html: &html, loads: &loads, scripts: &whole, packed: &folder, module: MODULE };
+    let single = single::Parts {
+        html: &html,
+        loads: &loads,
+        scripts: &whole,
+        packed: &folder,
+        theory: &dist.join("theory"),
+        module: MODULE,
+    };
     fs::write(dist.join(single::FILE), single.page()?).context(single::FILE)?;
     Ok(Packed { folder, first: page.first() })
 }

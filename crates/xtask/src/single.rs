@@ -9,7 +9,10 @@ use anyhow::{Context, Result, ensure};
 use base64::{Engine, engine::general_purpose::STANDARD as BASE64};
 use sha2::{Digest, Sha256};
 
-use crate::html::{self, Kind, Load};
+use crate::{
+    html::{self, Kind, Load},
+    theory,
+};
 
 /// Its name in `dist/`.
 pub const FILE: &str = "levalab.html";
@@ -24,6 +27,8 @@ pub struct Parts<'a> {
     pub scripts: &'a Path,
     /// The packed folder, for everything else.
     pub packed: &'a Path,
+    /// The folder of the pages of theory.
+    pub theory: &'a Path,
     /// The module in it.
     pub module: &'a str,
 }
@@ -31,7 +36,7 @@ pub struct Parts<'a> {
 impl Parts<'_> {
     /// The whole file.
     pub fn page(&self) -> Result<String> {
-        let style = read(&self.packed.join("style.css"))?;
+        let style = read(&self.packed.join("style.css"))? + &read(&self.packed.join("styles/help.css"))?;
         let mut scripts = Vec::new();
         let mut bodies = String::new();
         let mut styled = false;
@@ -59,7 +64,11 @@ impl Parts<'_> {
         });
         let module = BASE64.encode(fs::read(self.packed.join(self.module)).context("the module")?);
         let data = format!("<script type=\"application/wasm;base64\" id=\"levalab-module\">{module}</script>\n  ");
-        let page = page.replacen("</body>", &format!("{data}{bodies}</body>"), 1);
+        let terms = ["en", "es"]
+            .into_iter()
+            .map(|language| theory::terms(self.theory, language))
+            .collect::<Result<String>>()?;
+        let page = page.replacen("</body>", &format!("{terms}{data}{bodies}</body>"), 1);
         let page = html::packed_as(&page, "file");
         with_policy(&page, &scripts, &style)
     }

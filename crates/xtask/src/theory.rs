@@ -44,3 +44,11 @@ pub fn publish(folder: &Path, dist: &Path, hash: &str) -> Result<()> {
     }
     fs::remove_dir_all(from).context("theory")
 }
+
+/// The terms of a language as a template for the single-file page, whose question marks can load nothing.
+pub fn terms(theory: &Path, language: &str) -> Result<String> {
+    let page = fs::read_to_string(theory.join(format!("terms-{language}.html"))).context("the page of terms")?;
+    let (_, rest) = page.split_once("<main>").context("the page of terms has no <main>")?;
+    let (main, _) = rest.split_once("</main>").context("the <main> of the page of terms has no end")?;
+    Ok(format!("<template id=\"terms-{language}\">{main}</template>\n  "))
+}

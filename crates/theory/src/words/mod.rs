@@ -37,7 +37,7 @@ pub(crate) const fn two(en: &'static str, es: &'static str) -> Two {
 mod tests {
     use super::{concepts, followers, laws, manual, terms};
     use crate::formula::parse;
-    use levalab_core::law::{Arguments, Shape};
+    use levalab_core::law::Shape;
     use levalab_core::{FOLLOWERS, LAWS};
     use std::collections::BTreeSet;
 
@@ -49,8 +49,8 @@ mod tests {
                 assert!(text.len() > 20, "{}: {text}", law.id);
             }
             let fixed = matches!(law.shape, Shape::Unit(_)) && law.parameters.is_empty();
-            let arguments = Arguments { parameters: law.default_parameters(), falling: false };
-            let printed = fixed && law.unit(arguments).is_ok_and(|pieces| crate::curve::written(&pieces).is_some());
+            let printed = fixed
+                && law.unit(crate::study::rising(law)).is_ok_and(|pieces| crate::curve::written(&pieces).is_some());
             assert!(printed || !words.formulas.is_empty(), "{} has no formula", law.id);
         }
         for kind in FOLLOWERS {

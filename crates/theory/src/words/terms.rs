@@ -298,6 +298,32 @@ const PROGRAM: &[Term] = &[
         ..PLAIN
     },
     Term {
+        id: "beta1",
+        symbol: "β_1",
+        name: two("Angle of the first parabola", "Ángulo de la primera parábola"),
+        unit: DEGREES,
+        text: two(
+            "Angle over which the speed of a modified uniform motion grows evenly, from rest to that of the straight line.",
+            "Ángulo durante el que crece uniformemente la velocidad de un movimiento uniforme modificado, del reposo a la de la recta.",
+        ),
+        formula: Some("β_1 + β_2 + β_3 = β"),
+        theory: "parabolic-blend",
+        ..PLAIN
+    },
+    Term {
+        id: "beta3",
+        symbol: "β_3",
+        name: two("Angle of the last parabola", "Ángulo de la última parábola"),
+        unit: DEGREES,
+        text: two(
+            "Angle over which the speed of a modified uniform motion falls evenly, from that of the straight line to rest.",
+            "Ángulo durante el que decrece uniformemente la velocidad de un movimiento uniforme modificado, de la de la recta al reposo.",
+        ),
+        formula: Some("β_1 + β_2 + β_3 = β"),
+        theory: "parabolic-blend",
+        ..PLAIN
+    },
+    Term {
         id: "conditions",
         name: two("Conditions of a polynomial", "Condiciones de un polinomio"),
         text: two(
