@@ -1,34 +1,11 @@
 // For everyone: axe finds nothing in any state, everything has a name, and what is drawn is also said.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import path from "node:path";
 import { test } from "node:test";
-import { root } from "./browser.js";
 import {
-  LINKS, announced, baseRadiusCure, becomes, beta, diagram, en, es, eventually, field, findings, frames, inkOf, level, mechanism, openExample, openStill, unfoldFindings,
+  LINKS, announced, baseRadiusCure, becomes, beta, diagram, en, es, eventually, field, findings, frames, inkOf, level, mechanism, openExample, openStill, unfoldFindings, violations,
 } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
-
-const AXE = await readFile(path.join(root, "node_modules/axe-core/axe.min.js"), "utf8");
-
-const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
-
-/**
- * What axe finds in this state of the page.
- * @param {Page} page
- * @param {string} state
- */
-async function violations(page, state) {
-  await frames(page, 3);
-  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(AXE);
-  return page.evaluate(async ({ RULES, state }) => {
-    // Transitions of opacity would be measured half way.
-    await Promise.all(document.getAnimations().map((animation) => animation.finished.catch(() => undefined)));
-    const result = await /** @type {typeof window & { axe: typeof import("axe-core") }} */ (window).axe.run(document, { runOnly: RULES });
-    return result.violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${state}: ${id}: ${target} ${failureSummary?.split("\n")[1]?.trim()}`));
-  }, { RULES, state });
-}
 
 test("axe finds nothing on the page as it opens, with findings, with an error, after a damaged link", async (t) => {
   /** @type {string[]} */

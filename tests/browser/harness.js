@@ -20,15 +20,17 @@ after(async () => {
 /**
  * A fresh browser profile with the page in it, drawn. It closes with the test, which fails if the page misbehaved.
  * @param {import("node:test").TestContext} t
- * @param {{ url?: string, fragment?: string, ready?: boolean } & ContextOptions} [options]
- *   `url` instead of the packed page's; `fragment` without #; `ready: false` does not wait for the first drawing
+ * @param {{ url?: string, fragment?: string, ready?: boolean, firstVisit?: boolean } & ContextOptions} [options]
+ *   `url` instead of the packed page's; `fragment` without #; `ready: false` does not wait for the first drawing;
+ *   `firstVisit` is that of somebody to whom the guided minute has not been offered yet
  * @returns {Promise<{ page: Page, url: string, complaints: string[] }>}
  *   `complaints` is what went wrong so far: a test that provokes an error takes it out again
  */
-export async function openPage(t, { url, fragment = "", ready = true, ...options } = {}) {
+export async function openPage(t, { url, fragment = "", ready = true, firstVisit = false, ...options } = {}) {
   sharedBrowser ??= launchBrowser();
   const address = url ?? (await (sharedSite ??= startDist())).url;
   const context = await (await sharedBrowser).newContext({ viewport: { width: 1366, height: 768 }, locale: "en-GB", ...options });
+  if (!firstVisit) await context.addInitScript(offered);
   const page = await context.newPage();
   const complaints = watch(page, new URL(address).origin);
   t.after(async () => {
@@ -44,6 +46,15 @@ export async function openPage(t, { url, fragment = "", ready = true, ...options
     throw new Error(["the page did not draw", ...complaints].join("\n"), { cause });
   }
   return { page, url: address, complaints };
+}
+
+/** What the page remembers of somebody who has been offered the guided minute; a frame without storage remembers nothing. */
+function offered() {
+  try {
+    localStorage.setItem("levalab:tour", "true");
+  } catch {
+    // The page can do without, too.
+  }
 }
 
 /**

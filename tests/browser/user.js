@@ -1,5 +1,8 @@
 // What somebody does on the page and what they see there, in the words of the page itself.
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import path from "node:path";
+import { root } from "./browser.js";
 import { en as enShell } from "../../web/strings/en.js";
 import { es as esShell } from "../../web/strings/es.js";
 import { addStrings, createTranslate } from "../../web/strings/index.js";
@@ -264,4 +267,26 @@ export function picture(canvas) {
     for (let i = 0; i < pixels.length; i++) sum = (sum * 31 + pixels[i]) | 0;
     return sum;
   });
+}
+
+// For everyone
+
+const AXE = await readFile(path.join(root, "node_modules/axe-core/axe.min.js"), "utf8");
+
+const RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
+
+/**
+ * What axe finds in this state of the page.
+ * @param {Page} page
+ * @param {string} state
+ */
+export async function violations(page, state) {
+  await frames(page, 3);
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(AXE);
+  return page.evaluate(async ({ RULES, state }) => {
+    // Transitions of opacity would be measured half way.
+    await Promise.all(document.getAnimations().map((animation) => animation.finished.catch(() => undefined)));
+    const result = await /** @type {typeof window & { axe: typeof import("axe-core") }} */ (window).axe.run(document, { runOnly: RULES });
+    return result.violations.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${state}: ${id}: ${target} ${failureSummary?.split("\n")[1]?.trim()}`));
+  }, { RULES, state });
 }

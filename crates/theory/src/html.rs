@@ -25,6 +25,9 @@ pub struct Pen<'a> {
     pub labels: &'a Labels,
 }
 
+/// Characters of the notation of a formula that fits everywhere.
+const NARROW: usize = 34;
+
 impl Pen<'_> {
     /// Paragraphs.
     ///
@@ -54,7 +57,9 @@ impl Pen<'_> {
     #[must_use]
     pub fn displayed(self, text: &str) -> String {
         let formula = parse(text).unwrap_or_else(|misprint| panic!("{misprint}"));
-        format!("<div class=\"formula\">{}</div>", formula::block(&formula, self.language))
+        // What may be wider than a phone can be scrolled by the keyboard too.
+        let reached = if text.chars().count() > NARROW { " tabindex=\"0\"" } else { "" };
+        format!("<div class=\"formula\"{reached}>{}</div>", formula::block(&formula, self.language))
     }
 
     /// A formula within a line.

@@ -109,9 +109,11 @@ pub fn overview(pen: Pen) -> String {
             format!("<tr><th scope=\"row\"><a href=\"#{}\">{name}</a></th>{peaks}<td>{jumps}</td></tr>", law.id)
         })
         .collect();
-    let heads: String = (1..4)
-        .map(|order| format!("<th scope=\"col\">{}</th>", pen.formula(&format!("|{}|", ORDERS[order]))))
-        .collect();
+    let head = |(order, name): (usize, Two)| {
+        format!("<th scope=\"col\">{} {}</th>", within(name), pen.formula(&format!("|{}|", ORDERS[order])))
+    };
+    let names = [two("velocity", "velocidad"), two("acceleration", "aceleración"), two("jerk", "sobreaceleración")];
+    let heads: String = (1..).zip(names).map(head).collect();
     format!(
         "{}<div class=\"wide\"><table><caption>{}</caption><thead><tr><th scope=\"col\">{}</th>{heads}<th scope=\"col\">{}</th></tr></thead><tbody>{rows}</tbody></table></div>",
         pen.paragraphs(within(INTRODUCTION)),

@@ -14,16 +14,15 @@ pub fn inline(formula: &Formula, language: Language) -> String {
 #[must_use]
 pub fn block(formula: &Formula, language: Language) -> String {
     let writer = Writer { language };
-    // Equations side by side stand well apart.
-    let row = match formula {
-        Formula::List(items) => items.iter().map(|item| writer.row(item)).collect::<Vec<_>>().join(APART),
-        other => writer.row(other),
-    };
-    format!("<math display=\"block\">{row}</math>")
+    // Equations side by side are formulas of their own, so that a narrow page can put them one under the other.
+    let equations = if let Formula::List(items) = formula { items.iter().collect() } else { vec![formula] };
+    let last = equations.len() - 1;
+    let written = equations.into_iter().enumerate().map(|(i, equation)| {
+        let comma = if i < last { "<mo separator=\"true\">,</mo>" } else { "" };
+        format!("<math display=\"block\">{}{comma}</math>", writer.row(equation))
+    });
+    written.collect()
 }
-
-/// Between equations in a line.
-const APART: &str = "<mo separator=\"true\">,</mo><mspace width=\"1.2em\"/>";
 
 /// How tightly a formula holds together: parentheses go around what is looser than its surroundings.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
