@@ -87,7 +87,7 @@ impl Medium {
     pub const SVG: Self = Self { size: 1.24, drop: 0.1 };
 
     fn text<'a>(self, frame: &Frame, style: &'a Style) -> TextStyle<'a> {
-        FontDesc::new(FontFamily::from(style.font.as_str()), frame.em * self.size, FontStyle::Normal).color(&style.ink)
+        FontDesc::new(FontFamily::Name(&style.font), frame.em * self.size, FontStyle::Normal).color(&style.ink)
     }
 
     fn drop(self, frame: &Frame) -> i32 {

@@ -2,6 +2,7 @@
 
 use crate::data;
 use crate::decimal::Decimal;
+use crate::nearest::nearest;
 use crate::report::{scale_of, tidy};
 use crate::write::{number, segment_value};
 use crate::{CamKind, Conjugate, Design, DesignError, Path, PathPart, SegmentDesign};
@@ -264,7 +265,7 @@ fn round(value: f64, digits: i32, how: fn(f64) -> f64) -> f64 {
     }
     let place = value.abs().log10().floor() as i32 + 1 - digits;
     let units = how(value / 10_f64.powi(place));
-    format!("{units}e{place}").parse().unwrap_or(value)
+    nearest(&(units.abs() as u64).to_string(), place).copysign(value)
 }
 
 #[cfg(test)]

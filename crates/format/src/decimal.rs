@@ -1,5 +1,6 @@
 //! Sums of decimals without rounding: what was typed adds up as on paper.
 
+use crate::nearest::nearest;
 use std::iter::Sum;
 use std::ops::{Add, Neg, Sub};
 
@@ -36,7 +37,8 @@ impl Decimal {
     #[must_use]
     pub fn to_f64(self) -> f64 {
         // Through its digits, which read back to the nearest; dividing would round twice.
-        format!("{}e-{DECIMALS}", self.0).parse().unwrap_or_default()
+        let value = nearest(&self.0.unsigned_abs().to_string(), -DECIMALS);
+        if self.0 < 0 { -value } else { value }
     }
 }
 

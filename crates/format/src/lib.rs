@@ -32,6 +32,7 @@ mod json;
 mod kind;
 pub mod limits;
 pub mod link;
+mod nearest;
 mod pair;
 mod path;
 mod read;

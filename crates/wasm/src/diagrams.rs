@@ -1,38 +1,17 @@
 //! Diagrams on the page: plotters-canvas where they are looked at, SVG where they are printed.
 
 use crate::lab::{Beside, Current, Lab};
-use crate::object;
+use crate::{object, plain};
 use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour};
 use plotters::prelude::IntoDrawingArea;
 use plotters_canvas::CanvasBackend;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
+use serde_json::Value;
 use wasm_bindgen::prelude::*;
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement};
 
 /// How the page wants a diagram: `ChartStyle` of `web/types.d.ts`.
-#[derive(Deserialize)]
-struct PageStyle {
-    width: f64,
-    height: f64,
-    pixel_ratio: f64,
-    font: String,
-    font_size: f64,
-    ink: String,
-    muted: String,
-    grid: String,
-    background: String,
-    curve: String,
-    limit: String,
-    mark: String,
-    dash: Vec<f64>,
-    /// Shows the ends of a face that is so much longer at each end than the contact needs.
-    #[serde(default)]
-    margin: Option<f64>,
-    stroke: f64,
-    per_second: bool,
-    x_labels: bool,
-    decimal_comma: bool,
-}
+struct PageStyle(Value);
 
 #[derive(Serialize)]
 struct PageArea {
@@ -100,9 +79,11 @@ impl Lab {
 fn prepare(lab: &Lab, diagram: &str, style: JsValue) -> Result<(Diagram, Style), JsError> {
     let current = lab.current()?;
     let quantity = Quantity::by_name(diagram).ok_or_else(|| JsError::new("no such diagram"))?;
-    let style: PageStyle = serde_wasm_bindgen::from_value(style)?;
+    let wanted = PageStyle(plain::value(&style));
+    let style = wanted.style().ok_or_else(|| JsError::new("the style lacks a number"))?;
+    let per_second = wanted.is("per_second");
     let seen = |current: &Current| {
-        if style.per_second { Timing::PerSecond(current.design.omega()) } else { Timing::PerRadian }
+        if per_second { Timing::PerSecond(current.design.omega()) } else { Timing::PerRadian }
     };
     let mut all = Vec::with_capacity(lab.beside.len() + 1);
     let mut others = Vec::with_capacity(lab.beside.len());
@@ -114,10 +95,10 @@ fn prepare(lab: &Lab, diagram: &str, style: JsValue) -> Result<(Diagram, Style),
     }
     all.push((&current.cam, &current.analysis, seen(current)));
     let mut diagram = Diagram::among(quantity, &all).ok_or_else(|| JsError::new("nothing to draw"))?;
-    if let Some(margin) = style.margin {
+    if let Some(margin) = wanted.number("margin") {
         diagram = diagram.with_face(&current.analysis, margin);
     }
-    Ok((diagram, Style { others, ..style.into() }))
+    Ok((diagram, Style { others, ..style }))
 }
 
 /// True when the values of both can be put on one axis: they exist and have the same unit.
@@ -141,29 +122,39 @@ fn context_of(canvas: &HtmlCanvasElement) -> Result<CanvasRenderingContext2d, Js
     context.ok_or_else(|| JsError::new("the canvas has no 2d context"))
 }
 
-impl From<PageStyle> for Style {
-    fn from(page: PageStyle) -> Self {
-        let usual = Self::default();
-        let or = |text: &str, other| colour(text).unwrap_or(other);
-        Self {
-            width: page.width,
-            height: page.height,
-            pixel_ratio: page.pixel_ratio,
-            font: page.font,
-            font_size: page.font_size,
-            ink: or(&page.ink, usual.ink),
-            muted: or(&page.muted, usual.muted),
-            grid: or(&page.grid, usual.grid),
-            background: or(&page.background, usual.background),
-            curve: or(&page.curve, usual.curve),
-            limit: or(&page.limit, usual.limit),
-            mark: or(&page.mark, usual.mark),
-            dash: page.dash,
+impl PageStyle {
+    fn number(&self, key: &str) -> Option<f64> {
+        self.0[key].as_f64()
+    }
+
+    fn is(&self, key: &str) -> bool {
+        self.0[key] == true
+    }
+
+    /// None when a number is missing.
+    fn style(&self) -> Option<Style> {
+        let usual = Style::default();
+        let colour_of = |key: &str, other| self.0[key].as_str().and_then(colour).unwrap_or(other);
+        let dash = self.0["dash"].as_array().into_iter().flatten().filter_map(Value::as_f64);
+        Some(Style {
+            width: self.number("width")?,
+            height: self.number("height")?,
+            pixel_ratio: self.number("pixel_ratio")?,
+            font: self.0["font"].as_str().map_or(usual.font, str::to_owned),
+            font_size: self.number("font_size")?,
+            ink: colour_of("ink", usual.ink),
+            muted: colour_of("muted", usual.muted),
+            grid: colour_of("grid", usual.grid),
+            background: colour_of("background", usual.background),
+            curve: colour_of("curve", usual.curve),
+            limit: colour_of("limit", usual.limit),
+            mark: colour_of("mark", usual.mark),
+            dash: dash.collect(),
             others: Vec::new(),
-            stroke: page.stroke,
-            x_labels: page.x_labels,
-            decimal_comma: page.decimal_comma,
-        }
+            stroke: self.number("stroke")?,
+            x_labels: self.is("x_labels"),
+            decimal_comma: self.is("decimal_comma"),
+        })
     }
 }
 

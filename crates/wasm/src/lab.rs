@@ -1,7 +1,7 @@
 //! The current cam: checked, analysed, and asked about until the next good one takes its place.
 
 use crate::report::{PageReport, cures};
-use crate::{Failure, instant, language, object, speak};
+use crate::{Failure, instant, language, object, plain, speak};
 use levalab_core::{Analysis, Cam, Column, Svaj};
 use levalab_format::report::{Report, column, scale_of};
 use levalab_format::{Design, DesignError};
@@ -56,7 +56,7 @@ impl Lab {
     /// Checks and analyses a design. A good one becomes the current one; otherwise the last good one stays.
     ///
     /// # Errors
-    /// When the design is not a plain object.
+    /// Never: what is no design is an answer.
     #[wasm_bindgen(unchecked_return_type = "Opened")]
     pub fn open(
         &mut self,
@@ -65,8 +65,7 @@ impl Lab {
         #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
     ) -> Result<JsValue, JsError> {
         let language = language(words);
-        let value: Value = serde_wasm_bindgen::from_value(design)?;
-        object(&match analyse(&value, samples) {
+        object(&match analyse(&plain::value(&design), samples) {
             Ok(current) => {
                 let report = PageReport::of(&current, language);
                 self.current = Some(Rc::new(current));

@@ -9,6 +9,7 @@ mod compare;
 mod diagrams;
 mod instant;
 mod lab;
+mod plain;
 mod report;
 
 pub use lab::Lab;
@@ -16,7 +17,6 @@ pub use lab::Lab;
 use levalab_format::{Design, DesignError, link};
 use levalab_words::Language;
 use serde::Serialize;
-use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -68,14 +68,13 @@ pub fn open_link(
 /// A design from the object that a design file holds: checked, and in its canonical form.
 ///
 /// # Errors
-/// When it is not a plain object.
+/// Never: what is no design is an answer.
 #[wasm_bindgen(unchecked_return_type = "Read")]
 pub fn read_design(
     design: JsValue,
     #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
 ) -> Result<JsValue, JsError> {
-    let value: Value = serde_wasm_bindgen::from_value(design)?;
-    object(&match Design::from_value(&value) {
+    object(&match Design::from_value(&plain::value(&design)) {
         Ok(design) => Read::Design(Box::new(design)),
         Err(error) => Read::Error(speak(language(words), &error)),
     })

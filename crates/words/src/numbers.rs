@@ -8,9 +8,8 @@ const UNGROUPED: usize = 4;
 
 const MINUS: char = '−';
 
-/// Below and above these a number is written with a power of ten.
-const SMALL: f64 = 1e-4;
-const LARGE: f64 = 1e7;
+/// Numbers from 10⁻⁴ to 10⁷ are written without a power of ten.
+const PLAIN: std::ops::Range<i32> = -4..7;
 
 /// A number with so many significant digits at most, and no zeros at the end.
 pub(crate) fn significant(value: f64, digits: usize, sign: char) -> String {
@@ -19,15 +18,22 @@ pub(crate) fn significant(value: f64, digits: usize, sign: char) -> String {
     }
     let scientific = format!("{:.*e}", digits - 1, value.abs());
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    // That of the rounded number, so that 9 999 999.9 is written as the power of ten that it rounds to.
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    // Rounded first, so that 9 999 999.9 becomes the power of ten that it rounds to.
-    let rounded: f64 = scientific.parse().unwrap_or(value.abs());
-    let text = if (SMALL..LARGE).contains(&rounded) {
-        plain(&format!("{:.*}", (digits as i32 - 1 - exponent).max(0) as usize, rounded), sign)
+    let text = if PLAIN.contains(&exponent) {
+        plain(&pointed(&mantissa.replace('.', ""), exponent), sign)
     } else {
         format!("{}·10{}", plain(mantissa, sign), superscript(exponent))
     };
     signed(value, text)
+}
+
+/// Digits with the point after the one that counts 10^exponent.
+fn pointed(digits: &str, exponent: i32) -> String {
+    let zeros = |count: i32| "0".repeat(count.max(0) as usize);
+    let digits = format!("{}{digits}{}", zeros(-exponent), zeros(exponent + 1 - digits.len() as i32));
+    let (whole, fraction) = digits.split_at(exponent.max(0) as usize + 1);
+    format!("{whole}.{fraction}")
 }
 
 /// A number with so many decimals at most, and no zeros at the end.

@@ -139,7 +139,7 @@ impl<'a> Fields<'a> {
             let sign = usize::from(text[end + 1..].starts_with('-'));
             end = digits(end + 1 + sign);
         }
-        self.split(end).parse().ok()
+        crate::nearest::parse(self.split(end))
     }
 
     pub fn take(&mut self, c: char) -> bool {
