@@ -36,7 +36,7 @@ impl Lab {
         &self,
         canvas: HtmlCanvasElement,
         #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
-        #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: &JsValue,
     ) -> Result<JsValue, JsError> {
         let (diagram, style) = prepare(self, diagram, style)?;
         let context = context_of(&canvas)?;
@@ -69,17 +69,17 @@ impl Lab {
     pub fn svg(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
-        #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: &JsValue,
     ) -> Result<String, JsError> {
         let (diagram, style) = prepare(self, diagram, style)?;
         Ok(levalab_chart::svg(&diagram, &style).0)
     }
 }
 
-fn prepare(lab: &Lab, diagram: &str, style: JsValue) -> Result<(Diagram, Style), JsError> {
+fn prepare(lab: &Lab, diagram: &str, style: &JsValue) -> Result<(Diagram, Style), JsError> {
     let current = lab.current()?;
     let quantity = Quantity::by_name(diagram).ok_or_else(|| JsError::new("no such diagram"))?;
-    let wanted = PageStyle(plain::value(&style));
+    let wanted = PageStyle(plain::value(style));
     let style = wanted.style().ok_or_else(|| JsError::new("the style lacks a number"))?;
     let per_second = wanted.is("per_second");
     let seen = |current: &Current| {

@@ -60,12 +60,12 @@ impl Lab {
     #[wasm_bindgen(unchecked_return_type = "Opened")]
     pub fn open(
         &mut self,
-        #[wasm_bindgen(unchecked_param_type = "Design")] design: JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Design")] design: &JsValue,
         samples: usize,
         #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
     ) -> Result<JsValue, JsError> {
         let language = language(words);
-        object(&match analyse(&plain::value(&design), samples) {
+        object(&match analyse(&plain::value(design), samples) {
             Ok(current) => {
                 let report = PageReport::of(&current, language);
                 self.current = Some(Rc::new(current));

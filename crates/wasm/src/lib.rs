@@ -71,10 +71,10 @@ pub fn open_link(
 /// Never: what is no design is an answer.
 #[wasm_bindgen(unchecked_return_type = "Read")]
 pub fn read_design(
-    design: JsValue,
+    design: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
 ) -> Result<JsValue, JsError> {
-    object(&match Design::from_value(&plain::value(&design)) {
+    object(&match Design::from_value(&plain::value(design)) {
         Ok(design) => Read::Design(Box::new(design)),
         Err(error) => Read::Error(speak(language(words), &error)),
     })
