@@ -3,7 +3,7 @@
  *
  * @import { ShellContext } from "./types.d.ts"
  */
-import { showNote } from "./note.js";
+import { showNotice } from "./notice.js";
 
 /** Milliseconds after which a page that comes back into sight asks for a newer release. */
 const STALE = 3_600_000;
@@ -21,7 +21,7 @@ export async function keepOffline(context) {
   /** @param {ServiceWorker | null} waiting */
   function ready(waiting) {
     if (!waiting || first) return;
-    showNote(context, "offline.ready", "offline.reload", () => {
+    showNotice(context, "offline.ready", "offline.reload", () => {
       asked = true;
       waiting.postMessage("take-over");
     });
@@ -38,7 +38,7 @@ export async function keepOffline(context) {
     if (asked) return location.reload();
     if (first) return (first = false);
     // Another tab asked for it. This one goes on as it is: what it still loads is kept as well.
-    showNote(context, "offline.ready", "offline.reload", () => location.reload());
+    showNotice(context, "offline.ready", "offline.reload", () => location.reload());
   });
   document.addEventListener("visibilitychange", () => {
     if (document.hidden || Date.now() - looked < STALE) return;

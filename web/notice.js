@@ -16,18 +16,18 @@ let root;
  * @param {string} action    key
  * @param {() => void} act
  */
-export function showNote({ store, t }, sentence, action, act) {
+export function showNotice({ store, t }, sentence, action, act) {
   root?.remove();
   const texts = createTexts(t);
   const button = texts.text(h("button", { type: "button" }), action);
   const close = h("button", { type: "button", class: "quiet" }, "×");
-  const note = h("aside", { class: "note", role: "status" });
+  const notice = h("aside", { class: "notice", role: "status" });
   texts.attribute(close, "aria-label", "note.close");
   button.addEventListener("click", act);
-  close.addEventListener("click", () => note.remove());
-  document.body.append(note);
+  close.addEventListener("click", () => notice.remove());
+  document.body.append(notice);
   // A screen reader tells what comes into a region that is there already.
-  note.append(texts.text(h("p"), sentence), button, close);
+  notice.append(texts.text(h("p"), sentence), button, close);
   store.subscribe(["language"], () => texts.refresh());
-  root = note;
+  root = notice;
 }
