@@ -96,6 +96,8 @@ export async function startEngine({ language, restarted }) {
 
   return {
     lab: () => lab,
+    /** A laboratory besides the page's own. */
+    another: () => new module.Lab(),
     failed,
     /** @returns {Catalogue} */
     catalogue() {

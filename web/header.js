@@ -5,6 +5,7 @@
  * @import { Texts } from "./texts.js"
  */
 import { h } from "./dom.js";
+import { createCompare } from "./compare.js";
 import { createFiles } from "./files.js";
 import { icon } from "./icons.js";
 import { createShare } from "./share.js";
@@ -20,7 +21,7 @@ const LANGUAGES = ["es", "en"];
 /**
  * @param {HTMLElement} root
  * @param {ShellContext} context
- * @param {import("./files.js").FileEngine} engine
+ * @param {import("./files.js").FileEngine & import("./compare.js").CompareEngine} engine
  */
 export function mount(root, context, engine) {
   const { store, t } = context;
@@ -49,6 +50,7 @@ export function mount(root, context, engine) {
       createExamples(context, texts),
       h("div", { class: "group" }, history.undo, history.redo),
       h("div", { class: "group" }, share.root, ...files),
+      createCompare(context, texts, engine),
     ),
     h("div", { class: "group end" }, languages.root, theme.button, projector, help),
   );

@@ -23,6 +23,7 @@ export function listen({ store }) {
     const change = event.target === document.body ? played(store.state, event) : null;
     if (change) store.set(change);
     else if (event.altKey) return;
+    else if (key === "c") document.getElementById("pin")?.click();
     else if (key === "p") store.set({ projector: !store.state.projector });
     else if (key === "?") document.getElementById("help-button")?.click();
     else return;

@@ -109,8 +109,8 @@ export function mount(root, context) {
     rebuild();
     draw();
   });
-  store.subscribe(["cursor", "layers", "highlight"], (_, changed) => {
-    if (changed.has("layers") && scene && !chosen) look(false);
+  store.subscribe(["cursor", "layers", "highlight", "beside"], (_, changed) => {
+    if ((changed.has("layers") || changed.has("beside")) && scene && !chosen) look(false);
     if (!changed.has("report")) draw();
   });
   store.subscribe(["layers"], () => menu.update());

@@ -19,7 +19,7 @@ const QUIET = 900;
 
 /** Shapes that differ without their colour: disc with a tick, triangle, octagon with a bar, square with a cross. */
 /** @type {Record<Light, string[]>} */
-const SHAPES = {
+export const SHAPES = {
   acceptable: ["M12 2a10 10 0 1 0 0 20a10 10 0 1 0 0-20z", "M7.500 12.500l3 3l6-6.500"],
   "low-speed": ["M12 2.500L22.500 21h-21z", "M12 9v6M12 17.500v1"],
   unacceptable: ["M7.900 2h8.200l5.900 5.900v8.200l-5.900 5.900h-8.200l-5.900-5.900v-8.200z", "M7 12h10"],
@@ -40,7 +40,7 @@ export function mount(root, context) {
   const word = h("strong", { class: "word" });
   const headline = h("span", { class: "headline" });
   const figures = createFigures(context);
-  const note = h("p", { class: "note" });
+  const note = h("p", { class: "verdict-note" });
   const list = h("ul");
   const all = h("span", { class: "all" });
   const unfold = h("button", { type: "button", class: "quiet unfold", "aria-expanded": "false" }, all, icon("unfold"));

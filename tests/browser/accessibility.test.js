@@ -161,3 +161,25 @@ test("red, amber and green come with a shape and a word", async (t) => {
   assert.equal(shapes.size, 3);
   assert.equal(words.size, 3);
 });
+
+test("axe finds nothing in the comparison and in what the diagrams say", async (t) => {
+  /** @type {string[]} */
+  const found = [];
+  for (const options of [{}, { colorScheme: /** @type {const} */ ("dark"), viewport: { width: 390, height: 844 } }]) {
+    const { page } = await openStill(t, { fragment: LINKS["10EX"], ...options });
+    await page.getByRole("radio", { name: /^q / }).check({ force: true });
+    await page.getByLabel(en("parameters.margin")).waitFor();
+    found.push(...(await violations(page, "face")));
+    await page.locator("#pin").click();
+    await page.locator("#legend li").waitFor();
+    await openExample(page, "9RT");
+    found.push(...(await violations(page, "legend")));
+    await page.getByRole("button", { name: new RegExp(`^${en("header.compare")}`) }).click();
+    await page.getByRole("table", { name: en("compare.table") }).waitFor();
+    found.push(...(await violations(page, "slate")));
+    await page.getByRole("radio", { name: en("compare.view.laws") }).check({ force: true });
+    await page.getByRole("table", { name: en("compare.laws.table") }).waitFor();
+    found.push(...(await violations(page, "tournament")));
+  }
+  assert.deepEqual(found, []);
+});

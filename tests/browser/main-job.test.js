@@ -10,7 +10,7 @@ import {
 /** @typedef {import("./user.js").Diagram} Diagram */
 
 /** Colours of the curves. @type {Record<Diagram, string>} */
-const COLOURS = { s: "s", v: "v", a: "a", j: "j", pressure_angle: "phi", rho: "rho" };
+const COLOURS = { s: "s", v: "v", a: "a", j: "j", pressure_angle: "phi", rho: "rho", contact: "q" };
 
 /** Stretches of a diagram's width in which its curve has to be seen, dashes and all. */
 const STRETCHES = 40;

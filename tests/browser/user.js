@@ -3,6 +3,8 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { root } from "./browser.js";
+import { compareEn } from "../../web/strings/compare.en.js";
+import { compareEs } from "../../web/strings/compare.es.js";
 import { en as enShell } from "../../web/strings/en.js";
 import { es as esShell } from "../../web/strings/es.js";
 import { addStrings, createTranslate } from "../../web/strings/index.js";
@@ -10,19 +12,22 @@ import { filesEn } from "../../web/strings/files.en.js";
 import { filesEs } from "../../web/strings/files.es.js";
 import { helpEn } from "../../web/strings/help.en.js";
 import { helpEs } from "../../web/strings/help.es.js";
+import { parametersEn } from "../../web/strings/parameters.en.js";
+import { parametersEs } from "../../web/strings/parameters.es.js";
 import { stageEn } from "../../web/strings/stage.en.js";
 import { stageEs } from "../../web/strings/stage.es.js";
 import { openPage } from "./harness.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").Locator} Locator */
-/** @typedef {"s" | "v" | "a" | "j" | "pressure_angle" | "rho"} Diagram */
+/** @typedef {"s" | "v" | "a" | "j" | "pressure_angle" | "rho" | "contact"} Diagram */
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-addStrings({ en: { ...filesEn, ...helpEn }, es: { ...filesEs, ...helpEs } });
-export const en = words("en", { ...enShell, ...stageEn, ...filesEn, ...helpEn });
-export const es = words("es", { ...esShell, ...stageEs, ...filesEs, ...helpEs });
+const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...parametersEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...parametersEs } };
+addStrings(onDemand);
+export const en = words("en", { ...enShell, ...stageEn, ...onDemand.en });
+export const es = words("es", { ...esShell, ...stageEs, ...onDemand.es });
 
 /**
  * The page's own words, and no others: a key that is gone should not go unnoticed.

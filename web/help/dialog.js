@@ -45,6 +45,7 @@ function create(context) {
     ...row(texts.text(h("dd"), "help.escape"), key("Esc")),
     ...row(texts.text(h("dd"), "help.scrub"), words.drag()),
     ...row(texts.text(h("dd"), "help.move"), key("Alt ↑"), key("Alt ↓"), words.or(), words.drag()),
+    ...row(texts.text(h("dd"), "help.pin"), key("C")),
     ...row(texts.text(h("dd"), "help.projector"), key("P")),
     ...row(texts.text(h("dd"), "help.help"), key("?")),
   );

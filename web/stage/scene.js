@@ -59,6 +59,7 @@ export class Scene {
   box(state) {
     const box = { ...this.follower.box };
     if (shown(state, "stations", this.report)) include(box, 0, 0, stationsReach(this.report));
+    for (const { reach } of this.#beside(state)) include(box, 0, 0, reach);
     return box;
   }
 
@@ -88,6 +89,13 @@ export class Scene {
     if (shown(state, "axes", report)) drawAxes(pen, report);
     this.#drawBody(pen);
     drawCam(pen, this.cam, angle);
+    for (const { outline, sense, colour, dash } of this.#beside(state)) {
+      pen.world(0, 0, (sense * state.cursor * Math.PI) / 180);
+      pen.line(colour, 1.5);
+      context.setLineDash(dash.map((length) => (length * pen.weight) / pen.view.scale));
+      context.stroke(outline);
+    }
+    context.setLineDash([]);
     this.#drawLit(pen, state, angle);
     if (shown(state, "pitch", report) && this.cam.pitch) {
       pen.world(0, 0, angle);
@@ -105,6 +113,11 @@ export class Scene {
     pen.dot(/** @type {number} */ (at[AT.contactX]), /** @type {number} */ (at[AT.contactY]), 4, pen.palette.ink);
     this.#drawParameter(pen, state, at, format);
     drawScale(pen, report, format, height);
+  }
+
+  /** The cams beside whose lengths are in the same unit. @param {Readonly<State>} state */
+  #beside({ beside }) {
+    return beside.filter(({ unit }) => unit === this.report.units.length);
   }
 
   /** @param {Pen} pen */

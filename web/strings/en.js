@@ -29,6 +29,8 @@ export const en = {
   "header.open": "Open a design file…",
   "header.recent": "Recent designs…",
   "header.save": "Save as a design file",
+  "header.compare": "Compare",
+  "header.pin": "Pin this design, to compare it (C)",
   "header.language": "Language",
   "header.theme": "Theme: {theme}",
   "theme.light": "light",

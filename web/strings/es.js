@@ -29,6 +29,8 @@ export const es = {
   "header.open": "Abrir un archivo de diseño…",
   "header.recent": "Diseños recientes…",
   "header.save": "Guardar como archivo de diseño",
+  "header.compare": "Comparar",
+  "header.pin": "Fijar este diseño para compararlo (C)",
   "header.language": "Idioma",
   "header.theme": "Tema: {theme}",
   "theme.light": "claro",

@@ -6,6 +6,7 @@ export const helpEn = {
   "help.play": "Play or stop the cam",
   "help.step": "Cursor one degree back or on",
   "help.undo": "Undo and redo",
+  "help.pin": "Pin this design, to compare it with others",
   "help.projector": "Projector view",
   "help.step-field": "In a field: one step up or down (Shift ×10, Alt ÷10)",
   "help.escape": "In a field: the value it had",

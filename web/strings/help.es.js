@@ -6,6 +6,7 @@ export const helpEs = {
   "help.play": "Girar o parar la leva",
   "help.step": "Cursor un grado atrás o adelante",
   "help.undo": "Deshacer y rehacer",
+  "help.pin": "Fijar este diseño para compararlo con otros",
   "help.projector": "Vista de proyector",
   "help.step-field": "En un campo: un paso arriba o abajo (Mayús ×10, Alt ÷10)",
   "help.escape": "En un campo: el valor que tenía",

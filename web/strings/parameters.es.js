@@ -26,7 +26,7 @@ export const parametersEs = {
   "parameters.contact":
     "q es el lugar de la cara que toca la leva, medido desde el eje del seguidor, + a la derecha. Las líneas de trazos son los extremos de la cara.",
   "parameters.contact.swing":
-    "q es el lugar de la cara que toca la leva, medido sobre ella desde el pie de la perpendicular trazada por el centro de giro. Las líneas de trazos son los extremos de la parte que se usa.",
+    "q es el lugar de la cara que toca la leva, medido sobre ella desde el pie de la perpendicular trazada desde la articulación. Las líneas de trazos son los extremos de la parte que se usa.",
   "parameters.contact.walk":
     "En esta leva el contacto recorre la cara de {min} (en {minAt}) a {max} (en {maxAt}): q es la propia v, así que un movimiento más rápido pide una cara más larga.",
   "parameters.contact.walk.inclined": "En esta leva el contacto recorre la cara de {min} (en {minAt}) a {max} (en {maxAt}).",
