@@ -17,7 +17,7 @@ const RESTART_WINDOW = 10_000;
  * @typedef {object} Module
  * @property {(options: { module_or_path: WebAssembly.Module }) => Promise<unknown>} default
  * @property {new () => Lab} Lab
- * @property {() => Omit<Catalogue, "examples"> & { examples: { id: string, file: string }[] }} catalogue
+ * @property {() => Omit<Catalogue, "first"> & { first: string }} catalogue
  * @property {(fragment: string, language: Language) => Read} open_link
  * @property {(design: unknown, language: Language) => Read} read_design
  */
@@ -101,8 +101,8 @@ export async function startEngine({ language, restarted }) {
     failed,
     /** @returns {Catalogue} */
     catalogue() {
-      const { examples, ...lists } = module.catalogue();
-      return { ...lists, examples: examples.map(({ id, file }) => ({ id, design: JSON.parse(file) })) };
+      const { first, ...lists } = module.catalogue();
+      return { ...lists, first: JSON.parse(first) };
     },
 
     /**

@@ -110,25 +110,15 @@ function createHistory({ store, t }) {
  * @param {ShellContext} context
  * @param {Texts} texts
  */
-function createExamples({ store, catalogue, t, banner }, texts) {
-  const choice = h("select", { class: "examples", id: "examples" });
-  texts.attribute(choice, "aria-label", "header.examples");
-  texts.also(() => {
-    choice.replaceChildren(
-      h("option", { value: "", hidden: true }, t("header.examples")),
-      ...catalogue.examples.map(({ id }) => h("option", { value: id }, `${id} – ${t(`example.${id}`)}`)),
-    );
-    choice.value = "";
+function createExamples(context, texts) {
+  const button = texts.text(h("button", { type: "button", class: "quiet", id: "examples", "aria-haspopup": "dialog" }), "header.examples");
+  /** @type {Promise<() => void> | undefined} */
+  let gallery;
+  button.addEventListener("click", async () => {
+    gallery ??= import("./examples.js").then(({ createGallery }) => createGallery(context));
+    (await gallery)();
   });
-  choice.addEventListener("change", () => {
-    const example = catalogue.examples.find(({ id }) => id === choice.value);
-    choice.value = "";
-    if (!example) return;
-    banner.hide();
-    store.replace(example.design, t("edit.example", { name: example.id }));
-    store.set({ cursor: 0 });
-  });
-  return choice;
+  return button;
 }
 
 /** @param {ShellContext} context */

@@ -15,13 +15,11 @@ import { firstDesign, keepLink } from "./link.js";
 import * as mechanism from "./mechanism.js";
 import { createFormat } from "./numbers.js";
 import * as readouts from "./readouts.js";
+import { shelve } from "./shelf.js";
 import { store } from "./store.js";
 import { createTranslate } from "./strings/index.js";
 import * as transport from "./transport.js";
 import * as verdict from "./verdict.js";
-
-/** The example that the page opens with. */
-const FIRST_EXAMPLE = "9RT";
 
 const language = () => store.state.language;
 const t = createTranslate(language);
@@ -41,8 +39,8 @@ try {
 async function start() {
   const engine = await startEngine({ language, restarted });
   const catalogue = engine.catalogue();
-  const example = (catalogue.examples.find(({ id }) => id === FIRST_EXAMPLE) ?? catalogue.examples[0])?.design;
-  if (!example) throw new Error("no examples");
+  const example = catalogue.first;
+  shelve(example);
 
   store.connect({
     analyse: (design) => engine.analyse(design, t("banner.panic")),

@@ -4,6 +4,7 @@
  * @import { Design, Read, ShellContext } from "./types.d.ts"
  */
 import { forget, keep, kept, recall } from "./memory.js";
+import { isShelved } from "./shelf.js";
 
 const BEGINNING = "recent:";
 
@@ -66,8 +67,7 @@ function claim(name) {
  * @param {ShellContext} context
  * @param {Check} check
  */
-export function keepRecent({ store, catalogue }, check) {
-  const examples = new Set(catalogue.examples.map(({ design }) => JSON.stringify(design)));
+export function keepRecent({ store }, check) {
   /** The entry of each opened design. @type {Map<number, string>} */
   const entries = new Map();
   let timer = 0;
@@ -78,7 +78,7 @@ export function keepRecent({ store, catalogue }, check) {
     timer = 0;
     const [design, origin] = [store.lastGood(), store.origin()];
     const text = JSON.stringify(design);
-    if (text === written || examples.has(text)) return;
+    if (text === written || isShelved(text)) return;
     const name = entries.get(origin) ?? (await entryFor(text));
     if (name === "") return;
     entries.set(origin, name);

@@ -45,13 +45,23 @@ export interface FollowerEntry {
 export type Motion = "translating" | "oscillating";
 export type Contact = "roller" | "knife" | "curved" | "flat";
 
+/** An entry of the examples library. */
+export interface Example {
+  id: string;
+  group: "classic" | "solved" | "more";
+  design: Design;
+  en: { title: string; note: string };
+  es: { title: string; note: string };
+}
+
 /** Everything the forms are built from, so that a new law or follower appears by itself. */
 export interface Catalogue {
   laws: LawEntry[];
   followers: FollowerEntry[];
   length_units: string[];
   speed_units: string[];
-  examples: { id: string; design: Design }[];
+  /** The design that the page opens with. */
+  first: Design;
   limits: { segments: number; title: number; link: number };
 }
 

@@ -141,7 +141,8 @@ export async function actOnSegment(page, number, action) {
 
 /** @param {Page} page @param {string} id */
 export async function openExample(page, id) {
-  await page.getByLabel(en("header.examples"), { exact: true }).selectOption(id);
+  await page.getByRole("button", { name: en("header.examples"), exact: true }).click();
+  await page.locator(`[data-example="${id}"]`).click();
 }
 
 /** The button that undoes, whatever the step is. @param {Page} page */

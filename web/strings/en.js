@@ -41,13 +41,6 @@ export const en = {
   "header.help": "Help",
   "mark.what": "What is:",
 
-  "example.R1": "Machine with a stretch of constant velocity",
-  "example.R5": "Parabolic cam at 390 rpm",
-  "example.2RO": "Oscillating roller, 10° up and down",
-  "example.4PO": "Oscillating flat face with constant velocity",
-  "example.9RT": "Four lifts of 10 mm, four laws",
-  "example.10EX": "Eccentric circle under a flat face",
-  "example.12PO": "Oscillating flat face, modified trapezoidal",
 
   "edit.follower": "change of follower",
   "edit.field": "change of {name}",

@@ -41,13 +41,6 @@ export const es = {
   "header.help": "Ayuda",
   "mark.what": "Qué es:",
 
-  "example.R1": "Máquina con un tramo de velocidad constante",
-  "example.R5": "Leva parabólica a 390 rpm",
-  "example.2RO": "Rodillo oscilante, 10° de subida y bajada",
-  "example.4PO": "Plato plano oscilante con velocidad constante",
-  "example.9RT": "Cuatro desplazamientos de 10 mm, cuatro leyes",
-  "example.10EX": "Excéntrica circular con plato plano",
-  "example.12PO": "Plato plano oscilante, trapezoidal modificada",
 
   "edit.follower": "cambio de seguidor",
   "edit.field": "cambio de {name}",

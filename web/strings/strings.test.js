@@ -5,21 +5,18 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { createTranslate, firstLanguage } from "./index.js";
 
-const web = fileURLToPath(new URL("..", import.meta.url));
+/** @typedef {Record<string, import("./index.js").Phrase>} Words */
 
-/**
- * All words of a language, those of parts that are loaded later too.
- * @param {string} language
- * @returns {Promise<Record<string, string | { one: string, other: string }>>}
- */
-async function words(language) {
-  const files = readdirSync(join(web, "strings")).filter((name) => name === `${language}.js` || name.endsWith(`.${language}.js`));
-  const modules = await Promise.all(files.map((name) => import(`./${name}`)));
-  return Object.assign({}, ...modules.flatMap((module) => Object.values(module)));
+/** All the words of a language: `en.js` and every `<part>.en.js`. @param {string} language @returns {Promise<Words>} */
+async function wordsOf(language) {
+  const names = readdirSync(import.meta.dirname).filter((name) => name === `${language}.js` || name.endsWith(`.${language}.js`));
+  const parts = await Promise.all(names.map((name) => import(`./${name}`)));
+  return Object.assign({}, ...parts.flatMap((part) => Object.values(part)));
 }
 
-const english = await words("en");
-const spanish = await words("es");
+const english = await wordsOf("en");
+const spanish = await wordsOf("es");
+const web = fileURLToPath(new URL("..", import.meta.url));
 
 /** Every script of the page but the strings themselves and the tests, as one text. */
 const source = readdirSync(web, { recursive: true, encoding: "utf8" })
@@ -45,7 +42,7 @@ test("both languages have the same keys", () => {
 
 test("every sentence takes the same values in both languages", () => {
   for (const [key, phrase] of Object.entries(english)) {
-    const other = spanish[key] ?? "";
+    const other = /** @type {Record<string, string | { one: string, other: string }>} */ (spanish)[key] ?? "";
     const values = (/** @type {typeof phrase} */ sentence) => [...new Set(forms(sentence).flatMap(names))].sort();
     assert.deepEqual(values(other), values(phrase), key);
     assert.equal(typeof other, typeof phrase, `${key}: plural in one language only`);

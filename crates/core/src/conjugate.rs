@@ -1,8 +1,8 @@
 //! Conjugate cams: a second element, fixed to the same follower across the shaft, that rides a second cam.
 
 use crate::extreme::extremes;
-use crate::samples::{Quantity, Samples};
-use crate::sizing::geometry_passes;
+use crate::samples::{LEAST_STEPS, Quantity, Samples};
+use crate::sizing::{geometry_passes, shortfall_of};
 use crate::{Body, Cam, Closure, Drive, Element, Follower, GeometryError, GeometryProblem, Point};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -135,7 +135,17 @@ pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f
         }
         return None;
     }
-    let tried: Vec<f64> = (0..=CANDIDATES).map(|i| low + (high - low) * i as f64 / CANDIDATES as f64).collect();
+    let mut tried: Vec<f64> = (0..=CANDIDATES).map(|i| low + (high - low) * i as f64 / CANDIDATES as f64).collect();
+    if !tried.iter().any(|&value| passes(value)) {
+        // A window narrower than a step is found where the limits are passed by least.
+        let excess = |value: f64, steps: usize| {
+            conjugate(cam, kind.with(value), radius).map_or(f64::INFINITY, |second| shortfall_of(&second, steps))
+        };
+        let fails: Vec<f64> = tried.iter().map(|&value| excess(value, LOOK_STEPS)).collect();
+        let least = (1..CANDIDATES).min_by(|&a, &b| fails[a].total_cmp(&fails[b]))?;
+        let best = lowest(tried[least - 1], tried[least + 1], |value| excess(value, LEAST_STEPS));
+        tried.insert(tried.partition_point(|&value| value < best), best);
+    }
     let passing: Vec<bool> = tried.iter().map(|&value| passes(value)).collect();
     let (mut best, mut start) = (0..0, None);
     for i in 0..=tried.len() {
@@ -155,6 +165,16 @@ pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f
     let greatest = if last + 1 == tried.len() { tried[last] } else { edge(tried[last], tried[last + 1]) };
     let inside = INSIDE * (greatest - least).max(INSIDE);
     Some((least + inside, greatest - inside))
+}
+
+/// Where `f` is least between two values, by the golden section.
+fn lowest(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    for _ in 0..HALVINGS {
+        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+        if f(left) < f(right) { high = right } else { low = left }
+    }
+    0.5 * (low + high)
 }
 
 /// A second element placed across the shaft.

@@ -101,15 +101,18 @@ pub(crate) fn geometry_passes(cam: &Cam) -> bool {
 
 /// How far a base radius (or a travel) is from passing: positive when it fails, infinite when the geometry cannot be.
 fn shortfall(cam: &Cam, size: f64, steps: usize) -> f64 {
-    let Some(sized) = resized(cam, size) else { return f64::INFINITY };
-    let follower = &sized.follower;
-    let mut samples = Samples::on_grid(&sized, steps);
-    if let Body::Swing { .. } = follower.body {
-        samples.measure_radius(&sized);
+    resized(cam, size).map_or(f64::INFINITY, |sized| shortfall_of(&sized, steps))
+}
+
+/// How far a cam is from keeping its geometric limits, arms that cut apart: positive when one is passed.
+pub(crate) fn shortfall_of(cam: &Cam, steps: usize) -> f64 {
+    let mut samples = Samples::on_grid(cam, steps);
+    if let Body::Swing { .. } = cam.follower.body {
+        samples.measure_radius(cam);
     }
-    let angle = extremes(&sized, &samples, Quantity::PressureAngle).greatest_size().0;
-    let steepness = angle / follower.pressure_angle_limit() - 1.0;
-    steepness.max(-roundness(&sized, &samples)).max(misplacement(&sized, &samples))
+    let angle = extremes(cam, &samples, Quantity::PressureAngle).greatest_size().0;
+    let steepness = angle / cam.follower.pressure_angle_limit() - 1.0;
+    steepness.max(-roundness(cam, &samples)).max(misplacement(cam, &samples))
 }
 
 /// How far the least convex ρ is from a cusp, in base radii; much, when nothing is convex.

@@ -2,15 +2,32 @@
 
 use crate::Design;
 
-/// Every example: its name and its design file.
+/// The example that the page opens with: four laws side by side.
+pub const FIRST_EXAMPLE: &str = include_str!("../../../examples/9RT.lev.json");
+
+/// Every example: its name and its design file. What to look at in each is told in `examples/notes.json`.
 pub const EXAMPLES: &[(&str, &str)] = &[
-    ("R1", include_str!("../../../examples/R1.lev.json")),
-    ("R5", include_str!("../../../examples/R5.lev.json")),
+    ("1RT", include_str!("../../../examples/1RT.lev.json")),
     ("2RO", include_str!("../../../examples/2RO.lev.json")),
+    ("3PT", include_str!("../../../examples/3PT.lev.json")),
     ("4PO", include_str!("../../../examples/4PO.lev.json")),
-    ("9RT", include_str!("../../../examples/9RT.lev.json")),
+    ("5ACRT", include_str!("../../../examples/5ACRT.lev.json")),
+    ("6ACPT", include_str!("../../../examples/6ACPT.lev.json")),
+    ("7CRT", include_str!("../../../examples/7CRT.lev.json")),
+    ("8DA", include_str!("../../../examples/8DA.lev.json")),
+    ("9RT", FIRST_EXAMPLE),
     ("10EX", include_str!("../../../examples/10EX.lev.json")),
+    ("11RO", include_str!("../../../examples/11RO.lev.json")),
     ("12PO", include_str!("../../../examples/12PO.lev.json")),
+    ("R1", include_str!("../../../examples/R1.lev.json")),
+    ("R2", include_str!("../../../examples/R2.lev.json")),
+    ("R3", include_str!("../../../examples/R3.lev.json")),
+    ("R4", include_str!("../../../examples/R4.lev.json")),
+    ("R5", include_str!("../../../examples/R5.lev.json")),
+    ("R6", include_str!("../../../examples/R6.lev.json")),
+    ("WEDGE", include_str!("../../../examples/WEDGE.lev.json")),
+    ("GROOVE", include_str!("../../../examples/GROOVE.lev.json")),
+    ("ARCS", include_str!("../../../examples/ARCS.lev.json")),
 ];
 
 /// The design of an example.

@@ -47,7 +47,7 @@ pub use cure::{DesignCure, Edit, Remedy, apply, cures};
 pub use data::{data_key, entry as data_entry};
 pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
 pub use error::{DataRefusal, DesignError, Kind, Measure, Problem};
-pub use examples::{EXAMPLES, example};
+pub use examples::{EXAMPLES, FIRST_EXAMPLE, example};
 pub use kind::{BreadthGenerator, CamKind};
 pub use pair::Conjugate;
 pub use path::{Path, PathPart, quoted};

@@ -1,8 +1,8 @@
-//! What the page's forms are built from: laws, followers, units and examples, straight from the lists of the crates inside.
+//! What the page's forms are built from: laws, followers and units, straight from the lists of the crates inside.
 
 use levalab_core::law::{Arguments, Group, LAWS, Law};
 use levalab_core::{FOLLOWERS, FollowerKind, MAX_SEGMENTS, Parameter, Quantity};
-use levalab_format::{EXAMPLES, LengthUnit, SpeedUnit, data_entry, limits, motion_and_contact};
+use levalab_format::{FIRST_EXAMPLE, LengthUnit, SpeedUnit, data_entry, limits, motion_and_contact};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -13,7 +13,8 @@ pub struct Catalogue {
     followers: Vec<FollowerEntry>,
     length_units: Vec<&'static str>,
     speed_units: Vec<&'static str>,
-    examples: Vec<Example>,
+    /// The design that the page opens with, a file as text: the page reads it with its own JSON, and this module carries none.
+    first: &'static str,
     limits: Limits,
 }
 
@@ -51,13 +52,6 @@ struct ParameterEntry {
     optional: bool,
 }
 
-/// A design file as text: the page reads it with its own JSON, and this module carries none.
-#[derive(Serialize)]
-struct Example {
-    id: &'static str,
-    file: &'static str,
-}
-
 #[derive(Serialize)]
 struct Limits {
     segments: usize,
@@ -73,7 +67,7 @@ impl Catalogue {
             followers: FOLLOWERS.iter().map(|kind| FollowerEntry::of(kind)).collect(),
             length_units: LengthUnit::ALL.map(LengthUnit::symbol).into(),
             speed_units: SpeedUnit::ALL.map(|unit| unit.symbol(LengthUnit::default())).into(),
-            examples: EXAMPLES.iter().map(|&(id, file)| Example { id, file }).collect(),
+            first: FIRST_EXAMPLE,
             limits: Limits { segments: MAX_SEGMENTS, title: limits::MAX_TITLE, link: limits::MAX_LINK_MADE },
         }
     }

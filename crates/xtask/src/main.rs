@@ -3,6 +3,7 @@
 mod bench;
 mod dist;
 mod html;
+mod library;
 mod offline;
 mod page;
 mod process;

@@ -12,6 +12,7 @@ use anyhow::{Context, Result};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::{
+    library,
     process::{self, run, told},
     project,
     setup::{self, WASM, WasmCompiler},
@@ -64,6 +65,7 @@ pub fn package() -> PathBuf {
 
 /// Brings `web/pkg/` up to date; quick when nothing changed.
 pub fn build(build: Build) -> Result<()> {
+    library::write(&package())?;
     let module = compile(build)?;
     let stamp = stamp(&module, build)?;
     let stamp_file = package().join(".stamp");

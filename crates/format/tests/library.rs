@@ -1,0 +1,136 @@
+//! The examples library: every design is a cam, has its words in both languages, and shows the figures that they tell.
+
+use levalab_core::{Analysis, Cam, Column, Level, Tie, working_ties};
+use levalab_format::report::{Report, column};
+use levalab_format::{Design, EXAMPLES, example};
+use serde_json::Value;
+
+const NOTES: &str = include_str!("../../../examples/notes.json");
+
+fn cam(name: &str) -> (Design, Cam) {
+    let design = example(name).expect(name);
+    let cam = design.cam().expect(name);
+    (design, cam)
+}
+
+fn report(name: &str) -> (Design, Analysis, Report) {
+    let (design, cam) = cam(name);
+    let analysis = Analysis::of(&cam, 360);
+    let report = Report::of(&design, &cam, &analysis);
+    (design, analysis, report)
+}
+
+#[test]
+fn every_example_has_a_title_and_a_note_in_both_languages() {
+    let notes: Value = serde_json::from_str(NOTES).expect("JSON");
+    let notes = notes.as_object().expect("an object");
+    assert_eq!(notes.len(), EXAMPLES.len());
+    for (name, _) in EXAMPLES {
+        for language in ["en", "es"] {
+            let words = |field: &str| notes[*name][language][field].as_str().expect(name).to_owned();
+            assert!((10..80).contains(&words("title").chars().count()), "{name} {language}");
+            let note = words("note");
+            let sentences = note.matches(". ").count() + 1;
+            assert!((2..=5).contains(&sentences) && note.ends_with('.'), "{name} {language}: {sentences} sentences");
+        }
+    }
+}
+
+#[test]
+fn verdicts_are_those_of_the_notes() {
+    let expected = [
+        ("1RT", Level::Acceptable),
+        ("2RO", Level::Acceptable),
+        ("3PT", Level::Acceptable),
+        ("4PO", Level::LowSpeed),
+        ("5ACRT", Level::Acceptable),
+        ("6ACPT", Level::Acceptable),
+        ("7CRT", Level::Acceptable),
+        ("8DA", Level::Acceptable),
+        ("9RT", Level::LowSpeed),
+        ("10EX", Level::Acceptable),
+        ("11RO", Level::Acceptable),
+        ("12PO", Level::LowSpeed),
+        ("R1", Level::Unacceptable),
+        ("R2", Level::LowSpeed),
+        ("R3", Level::Unacceptable),
+        ("R4", Level::Unacceptable),
+        ("R5", Level::Unacceptable),
+        ("R6", Level::LowSpeed),
+        ("WEDGE", Level::Acceptable),
+        ("GROOVE", Level::Acceptable),
+        ("ARCS", Level::Acceptable),
+    ];
+    assert_eq!(expected.len(), EXAMPLES.len());
+    for (name, level) in expected {
+        assert_eq!(report(name).2.level, level, "{name}");
+    }
+}
+
+#[test]
+fn the_first_example_is_no_circle_but_tends_to_one() {
+    let spread = |grown: f64| {
+        let mut design = example("1RT").expect("1RT");
+        design.values[0] *= grown;
+        let cam = design.cam().expect("a cam");
+        let summary = Analysis::of(&cam, 720).summary;
+        (summary.rho.max / summary.rho.min, summary.pressure_angle.max)
+    };
+    let (as_it_is, larger) = (spread(1.0), spread(10.0));
+    assert!(as_it_is.0 > 1.05, "ρ is not constant: {}", as_it_is.0);
+    let centre = |(ratio, _): (f64, f64)| ratio - 1.0;
+    assert!(larger.1 < as_it_is.1 / 2.0, "φ falls");
+    assert!(centre(larger) < centre(as_it_is) * 1.5, "{larger:?} after {as_it_is:?}");
+}
+
+#[test]
+fn pairs_stand_at_the_distances_of_the_book() {
+    for (name, distance, starts_with) in [("7CRT", 380.0, -20.0), ("8DA", 225.0, -25.0)] {
+        let (design, first) = cam(name);
+        assert_eq!(design.conjugate.expect(name).tie, Tie::Distance(distance));
+        let second = design.second(&first).expect(name).expect("a pair");
+        assert_eq!(second.program.segments()[0].rise, starts_with, "{name}: the conjugate starts with a return");
+        assert_eq!(Analysis::of(&second, 360).level, Level::Acceptable, "{name}");
+        let radius = second.follower.base_radius;
+        assert!((radius - first.follower.base_radius).abs() < 1e-12, "{name}: {radius}");
+    }
+}
+
+#[test]
+fn the_oscillating_roller_has_no_conjugate_at_any_angle() {
+    let (_, first) = cam("11RO");
+    assert_eq!(working_ties(&first, Tie::Angle(0.0), None), None);
+    assert_eq!(working_ties(&first, Tie::BaseRadius(0.0), None), None);
+}
+
+#[test]
+fn figures_of_solved_problems_are_those_of_the_notes() {
+    let near = |found: f64, told: f64, last_digit: f64| {
+        assert!((found - told).abs() <= 0.5 * last_digit * (1.0 + 1e-9), "{found}, told as {told}");
+    };
+    let value = |name: &str, which: Column, degree: usize| {
+        let (design, analysis, _) = report(name);
+        column(&design, &analysis, which).expect(name)[degree]
+    };
+    let speed = |name: &str| example(name).expect(name).omega();
+    near(value("R2", Column::V, 120), 0.076394, 1e-6);
+    near(value("R2", Column::PressureAngle, 120), 26.24, 0.01);
+    near(value("R2", Column::V, 120) * speed("R2"), 0.16, 0.001);
+    near(value("R2", Column::RhoPitch, 10), 0.125, 1e-12);
+    near(value("R3", Column::V, 330) * speed("R3"), -0.24, 0.001);
+    near(value("R3", Column::RhoPitch, 150), 12.1, 1e-9);
+    near(value("R4", Column::V, 315), -0.127324, 1e-6);
+    near(value("R4", Column::V, 315) * speed("R4"), -0.26667, 1e-5);
+    near(value("R4", Column::RhoPitch, 315), 0.18402, 1e-5);
+    let (_, _, six) = report("R6");
+    let s = six.range(Column::S).expect("s");
+    near(s.max, 1.34668, 1e-5);
+    near(s.max_at, 74.39, 0.01);
+    let angle = six.range(Column::PressureAngle).expect("φ");
+    near(angle.max, 26.57, 0.01);
+    near(angle.min, -25.75, 0.01);
+    let (_, _, nine) = report("9RT");
+    let angle = nine.range(Column::PressureAngle).expect("φ");
+    near(angle.min, -28.18, 0.01);
+    near(angle.max, 24.68, 0.01);
+}

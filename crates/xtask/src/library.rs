@@ -1,0 +1,44 @@
+//! The examples library as a script of the page: designs from `examples/`, words from `examples/notes.json`.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+use serde_json::{Map, Value};
+
+use crate::project;
+
+/// Writes `examples.js` into the folder of generated files, when it has changed.
+pub fn write(folder: &Path) -> Result<()> {
+    let place = folder.join("examples.js");
+    let script = format!(
+        "/** Made from examples/: change the files there.\n * @type {{import(\"../types.d.ts\").Example[]}} */\nexport const EXAMPLES = {};\n",
+        serde_json::to_string(&library()?)?
+    );
+    if fs::read_to_string(&place).is_ok_and(|found| found == script) {
+        return Ok(());
+    }
+    fs::create_dir_all(folder).context("web/pkg")?;
+    fs::write(&place, script).context("web/pkg/examples.js")
+}
+
+/// The entries in the order of the notes: id, group, design, and title and note in each language.
+fn library() -> Result<Vec<Value>> {
+    let folder = project::path("examples");
+    let read = |name: String| fs::read_to_string(folder.join(&name)).with_context(|| format!("examples/{name}"));
+    let notes: Map<String, Value> =
+        serde_json::from_str(&read("notes.json".to_owned())?).context("examples/notes.json")?;
+    let designs = fs::read_dir(&folder)?
+        .flatten()
+        .filter(|entry| entry.file_name().to_string_lossy().ends_with(".lev.json"))
+        .count();
+    ensure!(designs == notes.len(), "examples/ has {designs} designs, and notes.json tells of {}", notes.len());
+    let entry = |(id, mut entry): (String, Value)| {
+        let design = serde_json::from_str(&read(format!("{id}.lev.json"))?).with_context(|| id.clone())?;
+        let fields = entry.as_object_mut().with_context(|| format!("{id} in notes.json"))?;
+        fields.insert("id".to_owned(), id.into());
+        fields.insert("design".to_owned(), design);
+        Ok(entry)
+    };
+    notes.into_iter().map(entry).collect()
+}

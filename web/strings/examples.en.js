@@ -1,0 +1,12 @@
+/** The examples library, in English. */
+/** @type {Record<string, import("./index.js").Phrase>} */
+export const examplesEn = {
+  "examples.title": "Examples",
+  "examples.close": "Close",
+  "examples.classic": "The twelve classic cams",
+  "examples.solved": "Solved problems, with the slips of their printed solutions",
+  "examples.more": "More kinds of cam",
+  "examples.level.acceptable": "acceptable",
+  "examples.level.low-speed": "not for high speeds",
+  "examples.level.unacceptable": "unacceptable",
+};
