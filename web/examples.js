@@ -2,9 +2,10 @@
  * The examples library: a window with a picture, a verdict and a few sentences of each cam.
  *
  * @import { Example, Lab, ShellContext } from "./types.d.ts"
+ * @import { Check } from "./recent.js"
  */
-import { h, svg } from "./dom.js";
-import { EXAMPLES } from "./pkg/examples.js";
+import { h, s } from "./dom.js";
+import * as library from "./pkg/examples.js";
 import { shelve } from "./shelf.js";
 import { addStrings } from "./strings/index.js";
 import { examplesEn } from "./strings/examples.en.js";
@@ -12,6 +13,8 @@ import { examplesEs } from "./strings/examples.es.js";
 import { createTexts } from "./texts.js";
 
 addStrings({ en: examplesEn, es: examplesEs });
+
+const EXAMPLES = /** @type {Example[]} */ (/** @type {unknown} */ (library.EXAMPLES));
 
 /** @type {Example["group"][]} */
 const GROUPS = ["classic", "solved", "more"];
@@ -22,8 +25,11 @@ const OUTLINE = 180;
 /** Room around an outline, as a part of its size. */
 const MARGIN = 0.06;
 
-/** @param {ShellContext} context */
-export function createGallery({ store, lab, t, banner }) {
+/**
+ * @param {ShellContext} context
+ * @param {Check} check  brings a design into the form that the page works with
+ */
+export function createGallery({ store, lab, t, banner }, check) {
   const texts = createTexts(t);
   const heading = texts.text(h("h2", { id: "examples-heading" }), "examples.title");
   const close = h("button", { type: "button", class: "quiet" }, "×");
@@ -50,12 +56,14 @@ export function createGallery({ store, lab, t, banner }) {
     portraits.set(example.id, portrait);
     const level = h("span", { class: `level ${portrait.level}` }, t(`examples.level.${portrait.level}`));
     const name = h("strong", {}, `${example.id} · ${title}`);
-    const open = h("button", { type: "button", class: "card", "data-example": example.id }, picture(portrait), h("span", { class: "words" }, name, level, h("span", { class: "note" }, note)));
+    const open = h("button", { type: "button", class: "card", "data-example": example.id }, picture(portrait), h("span", { class: "words" }, name, level, h("span", { class: "about" }, note)));
     open.addEventListener("click", () => {
       dialog.close();
       banner.hide();
-      shelve(example.design);
-      store.replace(example.design, t("edit.example", { name: example.id }));
+      const { design } = check(example.design);
+      if (!design) return;
+      shelve(design);
+      store.replace(design, t("edit.example", { name: example.id }));
       store.set({ cursor: 0 });
     });
     return h("li", {}, open);
@@ -107,5 +115,5 @@ function portray(current, { design }) {
 /** @param {Portrait} portrait */
 function picture({ path, box }) {
   const size = Number(box.split(" ")[2]);
-  return svg("svg", { viewBox: box, class: "portrait", "aria-hidden": "true" }, svg("path", { d: path }), svg("circle", { r: size / 40 }));
+  return s("svg", { viewBox: box, class: "portrait", "aria-hidden": "true" }, s("path", { d: path }), s("circle", { r: size / 40 }));
 }

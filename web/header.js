@@ -47,7 +47,7 @@ export function mount(root, context, engine) {
     h(
       "div",
       { class: "tools" },
-      createExamples(context, texts),
+      createExamples(context, texts, engine.check),
       h("div", { class: "group" }, history.undo, history.redo),
       h("div", { class: "group" }, share.root, ...files),
       createCompare(context, texts, engine),
@@ -109,13 +109,14 @@ function createHistory({ store, t }) {
 /**
  * @param {ShellContext} context
  * @param {Texts} texts
+ * @param {import("./recent.js").Check} check
  */
-function createExamples(context, texts) {
+function createExamples(context, texts, check) {
   const button = texts.text(h("button", { type: "button", class: "quiet", id: "examples", "aria-haspopup": "dialog" }), "header.examples");
   /** @type {Promise<() => void> | undefined} */
   let gallery;
   button.addEventListener("click", async () => {
-    gallery ??= import("./examples.js").then(({ createGallery }) => createGallery(context));
+    gallery ??= import("./examples.js").then(({ createGallery }) => createGallery(context, check));
     (await gallery)();
   });
   return button;

@@ -23,11 +23,12 @@ fn report(name: &str) -> (Design, Analysis, Report) {
 #[test]
 fn every_example_has_a_title_and_a_note_in_both_languages() {
     let notes: Value = serde_json::from_str(NOTES).expect("JSON");
-    let notes = notes.as_object().expect("an object");
+    let notes = notes.as_array().expect("a list");
     assert_eq!(notes.len(), EXAMPLES.len());
-    for (name, _) in EXAMPLES {
+    for ((name, _), notes) in EXAMPLES.iter().zip(notes) {
+        assert_eq!(notes["id"], *name, "in the same order");
         for language in ["en", "es"] {
-            let words = |field: &str| notes[*name][language][field].as_str().expect(name).to_owned();
+            let words = |field: &str| notes[language][field].as_str().expect(name).to_owned();
             assert!((10..80).contains(&words("title").chars().count()), "{name} {language}");
             let note = words("note");
             let sentences = note.matches(". ").count() + 1;

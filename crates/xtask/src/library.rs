@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use crate::project;
 
@@ -12,7 +12,7 @@ use crate::project;
 pub fn write(folder: &Path) -> Result<()> {
     let place = folder.join("examples.js");
     let script = format!(
-        "/** Made from examples/: change the files there.\n * @type {{import(\"../types.d.ts\").Example[]}} */\nexport const EXAMPLES = {};\n",
+        "/** Made from examples/: change the files there. */\nexport const EXAMPLES = {};\n",
         serde_json::to_string(&library()?)?
     );
     if fs::read_to_string(&place).is_ok_and(|found| found == script) {
@@ -26,18 +26,15 @@ pub fn write(folder: &Path) -> Result<()> {
 fn library() -> Result<Vec<Value>> {
     let folder = project::path("examples");
     let read = |name: String| fs::read_to_string(folder.join(&name)).with_context(|| format!("examples/{name}"));
-    let notes: Map<String, Value> =
-        serde_json::from_str(&read("notes.json".to_owned())?).context("examples/notes.json")?;
+    let notes: Vec<Value> = serde_json::from_str(&read("notes.json".to_owned())?).context("examples/notes.json")?;
     let designs = fs::read_dir(&folder)?
         .flatten()
         .filter(|entry| entry.file_name().to_string_lossy().ends_with(".lev.json"))
         .count();
     ensure!(designs == notes.len(), "examples/ has {designs} designs, and notes.json tells of {}", notes.len());
-    let entry = |(id, mut entry): (String, Value)| {
-        let design = serde_json::from_str(&read(format!("{id}.lev.json"))?).with_context(|| id.clone())?;
-        let fields = entry.as_object_mut().with_context(|| format!("{id} in notes.json"))?;
-        fields.insert("id".to_owned(), id.into());
-        fields.insert("design".to_owned(), design);
+    let entry = |mut entry: Value| {
+        let id = entry["id"].as_str().context("an entry of notes.json has no id")?.to_owned();
+        entry["design"] = serde_json::from_str(&read(format!("{id}.lev.json"))?).with_context(|| id.clone())?;
         Ok(entry)
     };
     notes.into_iter().map(entry).collect()
