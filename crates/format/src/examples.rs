@@ -5,7 +5,7 @@ use crate::Design;
 /// The example that the page opens with: four laws side by side.
 pub const FIRST_EXAMPLE: &str = include_str!("../../../examples/9RT.lev.json");
 
-/// Every example: its name and its design file. What to look at in each is told in `examples/notes.json`.
+/// Every example: its name and its design file. What to look at in each is told in `crates/words/examples.json`.
 pub const EXAMPLES: &[(&str, &str)] = &[
     ("1RT", include_str!("../../../examples/1RT.lev.json")),
     ("2RO", include_str!("../../../examples/2RO.lev.json")),

@@ -5,7 +5,7 @@ use levalab_format::report::{Report, column};
 use levalab_format::{Design, EXAMPLES, example};
 use serde_json::Value;
 
-const NOTES: &str = include_str!("../../../examples/notes.json");
+const NOTES: &str = include_str!("../../../crates/words/examples.json");
 
 fn cam(name: &str) -> (Design, Cam) {
     let design = example(name).expect(name);

@@ -1,4 +1,4 @@
-//! The examples library as a script of the page: designs from `examples/`, words from `examples/notes.json`.
+//! The examples library as a script of the page: designs from `examples/`, words from `crates/words/examples.json`.
 
 use std::fs;
 use std::path::Path;
@@ -7,6 +7,9 @@ use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::project;
+
+/// What to look at in each, in every language.
+const NOTES: &str = "crates/words/examples.json";
 
 /// Writes `examples.js` into the folder of generated files, when it has changed.
 pub fn write(folder: &Path) -> Result<()> {
@@ -26,14 +29,15 @@ pub fn write(folder: &Path) -> Result<()> {
 fn library() -> Result<Vec<Value>> {
     let folder = project::path("examples");
     let read = |name: String| fs::read_to_string(folder.join(&name)).with_context(|| format!("examples/{name}"));
-    let notes: Vec<Value> = serde_json::from_str(&read("notes.json".to_owned())?).context("examples/notes.json")?;
+    let notes = fs::read_to_string(project::path(NOTES)).context(NOTES)?;
+    let notes: Vec<Value> = serde_json::from_str(&notes).context(NOTES)?;
     let designs = fs::read_dir(&folder)?
         .flatten()
         .filter(|entry| entry.file_name().to_string_lossy().ends_with(".lev.json"))
         .count();
-    ensure!(designs == notes.len(), "examples/ has {designs} designs, and notes.json tells of {}", notes.len());
+    ensure!(designs == notes.len(), "examples/ has {designs} designs, and {NOTES} tells of {}", notes.len());
     let entry = |mut entry: Value| {
-        let id = entry["id"].as_str().context("an entry of notes.json has no id")?.to_owned();
+        let id = entry["id"].as_str().context("an entry of the notes has no id")?.to_owned();
         entry["design"] = serde_json::from_str(&read(format!("{id}.lev.json"))?).with_context(|| id.clone())?;
         Ok(entry)
     };
