@@ -27,6 +27,7 @@ export async function startTour(context) {
   const { store, t } = context;
   stop();
   keep("tour", true);
+  document.querySelector(".offer")?.remove();
   await dressed;
   const texts = createTexts(t);
   const before = document.activeElement;

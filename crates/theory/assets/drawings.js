@@ -21,17 +21,17 @@ const sheet = (width, height, ...parts) =>
 const part = (key, ...parts) => s("g", { "data-parameter": key, class: "dimension" }, ...parts);
 
 const CENTRE = { x: 120, y: 150 };
-const BASE = 52;
-const LIFT = 30;
+const BASE = 46;
+const LIFT = 40;
 const ROLLER = 15;
 /** Direction of the nose of the cam, degrees. */
-const NOSE = 38;
+const NOSE = 34;
 const STEP = 3;
 
 /** Radius of the profile in a direction. @param {number} degrees */
 function reach(degrees) {
   const off = Math.abs(((degrees - NOSE + 540) % 360) - 180);
-  return BASE + (off < 110 ? (LIFT * (1 + Math.cos((off * Math.PI) / 110))) / 2 : 0);
+  return BASE + (off < 100 ? (LIFT * (1 + Math.cos((off * Math.PI) / 100))) / 2 : 0);
 }
 
 /** Point of the profile. @param {number} degrees @param {Point} [centre] */
@@ -122,15 +122,13 @@ function pressureAngle() {
     250, 236,
     stroke("centre-line", `M14 ${CENTRE.y}H226M${CENTRE.x} 4V232`),
     cam(), circle("base-circle", CENTRE, BASE), circle("hub", CENTRE, 5),
-    stem(roller), circle("part", roller, ROLLER), guide(),
+    stroke("thin-bar", path(roller, { x: roller.x, y: 8 })), circle("part", roller, ROLLER),
     stroke("phi-line", path(off(contact, normal, -26), roller)),
     part("N", ...arrow(roller, tip), letter("N", off(tip, { x: -1, y: -0.2 }, 9))),
     part("cos", ...arrow(roller, { x: roller.x, y: tip.y })),
     part("sin", ...arrow(roller, { x: tip.x, y: roller.y })),
     stroke("thin", path({ x: roller.x, y: tip.y }, tip, { x: tip.x, y: roller.y })),
     part("pressure_angle", ...arcArrow(roller, 30, 90, lean), letter("φ", polar(roller, 39, (90 + lean) / 2))),
-    formula("N sin φ", { x: tip.x - 4, y: roller.y + 14 }, "end"),
-    formula("N cos φ", { x: roller.x + 9, y: tip.y + 2 }, "start"),
     circle("dot", contact, 2.2),
   );
 }

@@ -41,10 +41,30 @@ pub fn written(pieces: &[Piece]) -> Option<Written> {
         let until = Exact::of(piece.until)?.notation("");
         let span = format!("{from} ≤ x ≤ {until}");
         from = until;
-        let alone = |text: String| if factor.is_some() && text != "0" { format!("C_a [{text}]") } else { text };
-        written.push(WrittenPiece { span, orders: [0, 1, 2, 3].map(|order| alone(terms.notation(order))) });
+        let with_factor = |text: String| if factor.is_some() { times_peak(&text) } else { text };
+        written.push(WrittenPiece { span, orders: [0, 1, 2, 3].map(|order| with_factor(terms.notation(order))) });
     }
     Some(Written { factor, pieces: written })
+}
+
+/// A sum times C_a, in brackets when there is more than one term.
+fn times_peak(text: &str) -> String {
+    let mut depth = 0;
+    let more = text.char_indices().any(|(i, c)| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth == 0 && (text[i..].starts_with(" + ") || text[i..].starts_with(" - "))
+    });
+    let (sign, size) = text.strip_prefix('-').map_or(("", text), |size| ("-", size));
+    match (more, size) {
+        (true, _) => format!("C_a [{text}]"),
+        (_, "0") => "0".to_owned(),
+        (_, "1") => format!("{sign}C_a"),
+        _ => {
+            // Numbers come first: 4π C_a cos(4πx).
+            let (number, rest) = size.split_at(["sin(", "cos("].iter().find_map(|name| size.find(name)).unwrap_or(0));
+            format!("{sign}{number}C_a {rest}")
+        }
+    }
 }
 
 /// Greatest acceleration of a curve whose pieces reach it at an end or where a wave has its crest.
@@ -179,7 +199,9 @@ impl Wave {
             angle += if self.phase.is_negative() { " - " } else { " + " };
             angle += &self.phase.notation("");
         }
-        sum.add(&amplitude, &format!("{name}({angle})"));
+        let wave = format!("{name}({angle})");
+        // A tall angle stands beside its fraction, not above it.
+        if angle.contains('/') { sum.add_beside(&amplitude, &wave) } else { sum.add(&amplitude, &wave) }
     }
 }
 
@@ -194,16 +216,28 @@ struct Sum {
 
 impl Sum {
     fn add(&mut self, coefficient: &Exact, factor: &str) {
-        if coefficient.is_zero() {
-            return;
+        if !coefficient.is_zero() {
+            self.sign(coefficient);
+            self.text += &coefficient.notation(factor);
         }
+    }
+
+    /// The same with the factor after the coefficient, also when that is a fraction.
+    fn add_beside(&mut self, coefficient: &Exact, factor: &str) {
+        if !coefficient.is_zero() {
+            self.sign(coefficient);
+            let size = coefficient.notation("");
+            self.text += &if size == "1" { factor.to_owned() } else { format!("{size} {factor}") };
+        }
+    }
+
+    fn sign(&mut self, coefficient: &Exact) {
         self.text += match (self.text.is_empty(), coefficient.is_negative()) {
             (true, true) => "-",
             (true, false) => "",
             (false, true) => " - ",
             (false, false) => " + ",
         };
-        self.text += &coefficient.notation(factor);
     }
 }
 

@@ -12,8 +12,13 @@ use levalab_core::{LAWS, Law};
 /// Place, name and body; a law without words has only its curve, which a test does not let pass.
 #[must_use]
 pub fn entry(pen: Pen, law: &Law) -> (String, String, String) {
-    let name = capital(levalab_words::law(pen.language, law));
-    (law.id.to_owned(), name, body(pen, law))
+    (law.id.to_owned(), name(pen, law), body(pen, law))
+}
+
+/// Its name as in the menu of the page, or as in a sentence.
+fn name(pen: Pen, law: &Law) -> String {
+    let known = pen.labels.get(&format!("law.{}", law.id));
+    known.cloned().unwrap_or_else(|| capital(levalab_words::law(pen.language, law)))
 }
 
 fn body(pen: Pen, entry: &Law) -> String {
@@ -101,7 +106,7 @@ pub fn overview(pen: Pen) -> String {
     let studies = LAWS.iter().filter_map(|law| Some((law, Study::of(law)?))).filter(|(_, study)| study.moves());
     let rows: String = studies
         .map(|(law, study)| {
-            let name = escape(&capital(levalab_words::law(pen.language, law)));
+            let name = escape(&name(pen, law));
             let peaks: String =
                 (1..4).map(|order| format!("<td>{}</td>", pen.language.number(study.peaks[order]))).collect();
             let jumps = (0..4).find(|&order| !study.jumps[order].is_empty());

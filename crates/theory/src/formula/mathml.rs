@@ -60,8 +60,14 @@ impl Writer {
             Formula::Negative(inner) => format!("<mo form=\"prefix\">−</mo>{}", self.within(inner, Bond::Product)),
             Formula::Sum(terms) => self.sum(terms),
             Formula::Product(factors) => {
-                let factors: Vec<String> = factors.iter().map(|factor| self.within(factor, Bond::Product)).collect();
-                factors.join("<mo>&#x2062;</mo>")
+                let mut text = String::new();
+                for (i, factor) in factors.iter().enumerate() {
+                    if i > 0 {
+                        text += if is_named(factor) { THIN } else { "<mo>&#x2062;</mo>" };
+                    }
+                    text += &self.within(factor, Bond::Product);
+                }
+                text
             }
             Formula::Times(sign, a, b) => {
                 format!("{}<mo>{sign}</mo>{}", self.within(a, Bond::Product), self.within(b, Bond::Product))
@@ -139,7 +145,7 @@ impl Writer {
             _ => false,
         };
         if bare {
-            format!("<mspace width=\"0.17em\"/>{}", self.row(inner))
+            format!("{THIN}{}", self.row(inner))
         } else {
             format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", self.row(inner))
         }
@@ -154,6 +160,18 @@ impl Writer {
     fn within(&self, formula: &Formula, needed: Bond) -> String {
         let row = self.row(formula);
         if bond(formula) < needed { format!("<mrow><mo>(</mo>{row}<mo>)</mo></mrow>") } else { row }
+    }
+}
+
+/// Room between a factor and the name of a function.
+const THIN: &str = "<mspace width=\"0.17em\"/>";
+
+/// True for what begins with the name of a function.
+fn is_named(formula: &Formula) -> bool {
+    match formula {
+        Formula::Call(name, _) => !["sqrt", "exp"].contains(name),
+        Formula::Power(base, _) => is_named(base),
+        _ => false,
     }
 }
 
@@ -172,12 +190,9 @@ fn symbol(name: &str) -> String {
     } else {
         format!("<mtext>{}</mtext>", escape(index))
     };
-    match (index == "<mn></mn>", primes.is_empty()) {
-        (true, true) => letter,
-        (true, false) => format!("<msup>{letter}<mo>{primes}</mo></msup>"),
-        (false, true) => format!("<msub>{letter}{index}</msub>"),
-        (false, false) => format!("<msubsup>{letter}{index}<mo>{primes}</mo></msubsup>"),
-    }
+    let letter = if index == "<mn></mn>" { letter } else { format!("<msub>{letter}{index}</msub>") };
+    // Primes stand beside their letter: as a superscript they vanish in fonts that are not made for mathematics.
+    if primes.is_empty() { letter } else { format!("<mrow>{letter}<mo lspace=\"0\" rspace=\"0\">{primes}</mo></mrow>") }
 }
 
 #[cfg(test)]
@@ -192,7 +207,7 @@ mod tests {
     #[test]
     fn formulas_are_set_as_in_books() {
         assert_eq!(written("R_b"), "<msub><mi>R</mi><mtext>b</mtext></msub>");
-        assert_eq!(written("y''"), "<msup><mi>y</mi><mo>′′</mo></msup>");
+        assert_eq!(written("y''"), "<mrow><mi>y</mi><mo lspace=\"0\" rspace=\"0\">′′</mo></mrow>");
         assert_eq!(written("0.5"), "<mn>0,5</mn>");
         assert_eq!(
             written("sin(2a)"),

@@ -99,7 +99,7 @@ in complex numbers, with $σ = +1$ for a cam that turns counter-clockwise and $�
 - A *disc* (roller, knife edge, curved face): its centre draws the pitch curve $P$, and the profile is its parallel curve at distance $R_f$.
 - A *face*: it is a straight line that moves, with normal $n$ at angle $α$ and at distance $p$ from the centre. The profile is its envelope, touched at
 
-$$P = p n + q i n, q = (d p)/(d α), ρ = p + (d^2 p)/(d α^2)$$",
+$$P = (p + iq) n, q = (d p)/(d α), ρ = p + (d^2 p)/(d α^2)$$",
             "Fíjese la leva y hágase girar el bastidor en sentido contrario a su alrededor: el movimiento relativo de leva y seguidor no cambia. El seguidor ocupa entonces todas sus posiciones alrededor de la leva, y el perfil es la curva tangente a todas ellas. Así se traza un perfil a mano, y así lo calcula LevaLab: lo muestra la capa {stage.layer.stations}.
 
 Un punto $F$ de la referencia fija se ve desde la leva en
@@ -111,7 +111,7 @@ en números complejos, con $σ = +1$ para una leva que gira en sentido antihorar
 - Un *disco* (rodillo, cuchilla, cara curva): su centro describe la curva de paso $P$, y el perfil es su curva paralela a distancia $R_f$.
 - Una *cara*: es una recta que se mueve, de normal $n$ con ángulo $α$ y a distancia $p$ del centro. El perfil es su envolvente, a la que toca en
 
-$$P = p n + q i n, q = (d p)/(d α), ρ = p + (d^2 p)/(d α^2)$$",
+$$P = (p + iq) n, q = (d p)/(d α), ρ = p + (d^2 p)/(d α^2)$$",
         ),
         drawing: Some("inversion"),
     },

@@ -89,12 +89,12 @@ const FOLLOWERS: &[FollowerWords] = &[
             "A straight face, square to the stem or inclined by $γ$. It is simple and takes no side push when $γ = 0$: the valves of engines.",
             "Una cara recta, perpendicular al vástago o inclinada un ángulo $γ$. Es sencilla y no da empuje lateral si $γ = 0$: las válvulas de los motores.",
         ),
-        construction: &["p = R_b + s cos(γ)", "q = -σv cos(γ)", "n = i exp(iγ), P = (p n + q i n) exp(-iσθ)"],
+        construction: &["p = R_b + s cos(γ)", "q = -σv cos(γ)", "n = i exp(iγ), P = (p + iq) n exp(-iσθ)"],
         pressure_angle: "φ = σγ",
         radius: &["ρ = R_b + (s + a) cos(γ)"],
         contact: two(
-            "The contact walks along the face: with $γ = 0$ and a cam that turns counter-clockwise it is at $v$ to the right of the axis, and at $-v$ when it turns the other way. The face must be longer than $v_(max) - v_(min)$.",
-            "El contacto recorre la cara: con $γ = 0$ y una leva que gira en sentido antihorario está a $v$ a la derecha del eje, y a $-v$ si gira al revés. La cara debe medir más que $v_(max) - v_(min)$.",
+            "The contact walks along the face; $q$ is measured along $i n$, to the left. With $γ = 0$ and a cam that turns counter-clockwise it is at $v$ to the right of the axis, and at $-v$ when it turns the other way. The face must be longer than $v_(max) - v_(min)$.",
+            "El contacto recorre la cara; $q$ se mide según $i n$, hacia la izquierda. Con $γ = 0$ y una leva que gira en sentido antihorario está a $v$ a la derecha del eje, y a $-v$ si gira al revés. La cara debe medir más que $v_(max) - v_(min)$.",
         ),
         fails: two(
             "The face cannot enter a hollow: wherever $ρ < 0$ it could not touch, and at $ρ = 0$ the cam has a point. With $γ = 0$ the smallest base circle for a wanted least radius is $R_b = ρ_(min) - min(s + a)$: only the most negative sum of $s$ and $a$ counts.",
