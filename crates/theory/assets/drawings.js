@@ -263,5 +263,30 @@ function radius() {
   return sheet(252, 146, ...panels.flat());
 }
 
+/** A cam of arcs about the vertices of a triangle, between the two faces of its yoke. */
+function breadth() {
+  const centre = { x: 124, y: 116 };
+  const [inner, rounding, turned] = [52, 14, 12];
+  const vertices = [90, 210, 330].map((at) => polar(centre, inner, at + turned));
+  const side = inner * Math.sqrt(3);
+  // Opposite each vertex an arc about it; round each vertex a small one.
+  const outline = vertices.flatMap((vertex, i) => {
+    const towards = 270 + turned + 120 * i;
+    const arc = (/** @type {Point} */ about, /** @type {number} */ r, /** @type {number} */ middle) => Array.from({ length: 16 }, (_, k) => polar(about, r, middle - 30 + 4 * k));
+    return [...arc(vertex, side + rounding, towards), ...arc(/** @type {Point} */ (vertices[(i + 2) % 3]), rounding, towards + 60)];
+  });
+  const heights = outline.map(({ y }) => y);
+  const [top, bottom] = [Math.min(...heights), Math.max(...heights)];
+  const far = 214;
+  const face = (/** @type {number} */ y, /** @type {number} */ thick) => stroke("part", `M36 ${y}h176v${thick}h-176z`);
+  return sheet(
+    250, 236,
+    stroke("cam", path(...outline) + "z"), stroke("part", `M${centre.x - 4} ${top - 7}V8h8V${top - 7}z`), face(top, -7), face(bottom, 7),
+    part("sides", stroke("thin-bar", path(...vertices) + "z"), ...vertices.map((vertex) => circle("dot", vertex, 2))),
+    circle("hub", centre, 5),
+    part("breadth", stroke("dim-line", `M${far} ${top}h16M${far} ${bottom}h16`), ...arrow({ x: far + 10, y: top }, { x: far + 10, y: bottom }, true), letter("d_c", { x: far + 15, y: (top + bottom) / 2 + 4 }, "start")),
+  );
+}
+
 /** @type {Record<string, () => SVGElement>} */
-export const DRAWINGS = { mechanism, "pressure-angle": pressureAngle, flat, motion, scca, inversion, radius };
+export const DRAWINGS = { mechanism, "pressure-angle": pressureAngle, flat, motion, scca, inversion, radius, breadth };

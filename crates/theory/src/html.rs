@@ -92,7 +92,16 @@ impl Pen<'_> {
             let (inner, beyond) = after.split_once(close).unwrap_or_else(|| panic!("{mark} is not closed in: {text}"));
             rest = beyond;
             match mark {
-                "$" => written += &self.formula(inner),
+                "$" => {
+                    // What ends the phrase stays with the formula.
+                    let stops = rest.len() - rest.trim_start_matches([',', '.', ';', ':', ')']).len();
+                    let formula = self.formula(inner);
+                    written += &match &rest[..stops] {
+                        "" => formula,
+                        stop => format!("<span class=\"kept\">{formula}{stop}</span>"),
+                    };
+                    rest = &rest[stops..];
+                }
                 "*" => written += &format!("<em>{}</em>", escape(inner)),
                 "{" => written += &self.label(inner),
                 _ => {

@@ -239,7 +239,7 @@ La aceleración suele saltar; solo aquí se tolera, porque el marco va sujeto po
 
 $$ρ(θ) + ρ(θ + π) = d_c$$",
         ),
-        drawing: None,
+        drawing: Some("breadth"),
     },
     Concept {
         id: "conjugate",

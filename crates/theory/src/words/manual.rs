@@ -102,14 +102,14 @@ Cada una de las {verdict.findings} dice qué está mal, dónde y cuánto; sus á
         text: two(
             "{header.share} copies a link that holds the whole design: nothing is sent to any server. A link that was damaged on the way is told, and never opened as another cam.
 
-Under {header.files}, {header.save} keeps the design as a file and {header.open} brings it back. The browser also remembers the last design. {header.undo} and {header.redo} cover everything, an opened link or file too.
+Under {header.files}, {header.save} keeps the design as a file and {header.open} brings it back; a file can also be dropped on the page. {header.recent} lists the designs that this browser keeps; each tab has a design of its own. {header.undo} and {header.redo} cover everything, an opened link or file too.
 
-The page can be printed from the browser: diagrams are drawn anew for paper.",
+From the second visit on the page works without the network, and browsers offer to install it. A new version is announced and taken over whole, when you say so. The page can be printed from the browser: diagrams are drawn anew for paper.",
             "{header.share} copia un enlace que contiene todo el diseño: nada se envía a ningún servidor. Si un enlace se estropea por el camino, se avisa y nunca se abre como otra leva.
 
-En {header.files}, {header.save} guarda el diseño en un archivo y {header.open} lo recupera. El navegador recuerda además el último diseño. {header.undo} y {header.redo} lo cubren todo, también un enlace o un archivo abiertos.
+En {header.files}, {header.save} guarda el diseño en un archivo y {header.open} lo recupera; un archivo también puede soltarse sobre la página. {header.recent} enumera los diseños que guarda este navegador; cada pestaña tiene el suyo. {header.undo} y {header.redo} lo cubren todo, también un enlace o un archivo abiertos.
 
-La página se imprime desde el navegador: los diagramas se dibujan de nuevo para el papel.",
+Desde la segunda visita la página funciona sin red, y los navegadores ofrecen instalarla. Una versión nueva se anuncia y se adopta entera, cuando usted lo diga. La página se imprime desde el navegador: los diagramas se dibujan de nuevo para el papel.",
         ),
     },
     Screen {

@@ -140,4 +140,29 @@ mod tests {
         }
         assert!(named > 40, "only {named} labels are named");
     }
+
+    #[test]
+    fn every_question_mark_of_the_page_is_answered() {
+        let mut folders = vec![std::path::PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../../web"))];
+        let mut asked = 0;
+        while let Some(folder) = folders.pop() {
+            for file in std::fs::read_dir(folder).expect("readable").map(|entry| entry.expect("readable").path()) {
+                if file.is_dir() {
+                    folders.push(file);
+                } else if file.extension().is_some_and(|extension| extension == "js") {
+                    let text = std::fs::read_to_string(&file).expect("text");
+                    let own = text.match_indices("mark(\"").filter(|&(at, _)| !text[..at].ends_with('.'));
+                    for id in own.filter_map(|(at, call)| text[at + call.len()..].split_once('"')).map(|(id, _)| id) {
+                        assert!(
+                            id.is_empty() || terms::term(id).is_some(),
+                            "{}: `{id}` is not explained",
+                            file.display()
+                        );
+                        asked += 1;
+                    }
+                }
+            }
+        }
+        assert!(asked >= 4, "only {asked} marks are found");
+    }
 }

@@ -324,6 +324,55 @@ const PROGRAM: &[Term] = &[
         ..PLAIN
     },
     Term {
+        id: "degree",
+        symbol: "n",
+        name: two("Degree of a spline", "Grado de una spline"),
+        text: two(
+            "Degree of the polynomials that make up the curve, from 4 to 8. With 5 or more the jerk is smooth at the knots too.",
+            "Grado de los polinomios que forman la curva, de 4 a 8. Con 5 o más también la sobreaceleración es suave en los nudos.",
+        ),
+        theory: "bspline",
+        ..PLAIN
+    },
+    Term {
+        id: "points",
+        symbol: "θ_k, s_k",
+        name: two("Table of points", "Tabla de puntos"),
+        unit: two("degrees and length", "grados y longitud"),
+        text: two(
+            "Measured angles from the start of the segment, with their heights. They can be pasted from a spreadsheet.",
+            "Ángulos medidos desde el comienzo del tramo, con sus alturas. Se pueden pegar desde una hoja de cálculo.",
+        ),
+        theory: "table",
+        ..PLAIN
+    },
+    Term {
+        id: "ordinates",
+        symbol: "p_k",
+        name: two("Ordinates of a Bézier curve", "Ordenadas de una curva de Bézier"),
+        unit: LENGTH,
+        text: two(
+            "Heights at even steps that draw the curve towards them; it goes through the first and the last. Three equal ones at an end are a rest there.",
+            "Alturas a pasos iguales que atraen la curva; esta pasa por la primera y por la última. Tres iguales en un extremo son allí un reposo.",
+        ),
+        formula: Some("y = p_0 (1 - x)^n + n p_1 x (1 - x)^(n - 1) + … + p_n x^n"),
+        theory: "bezier",
+        ..PLAIN
+    },
+    Term {
+        id: "expression",
+        symbol: "s",
+        name: two("Formula of a segment", "Fórmula de un tramo"),
+        unit: LENGTH,
+        text: two(
+            "Height above the base circle as an expression of $x$, $θ$, $β$ and $L$; products need no sign. Its derivatives are exact.",
+            "Altura sobre la circunferencia base como expresión de $x$, $θ$, $β$ y $L$; los productos no necesitan signo. Sus derivadas son exactas.",
+        ),
+        formula: Some("s = f(x, θ, β, L)"),
+        theory: "formula",
+        ..PLAIN
+    },
+    Term {
         id: "conditions",
         name: two("Conditions of a polynomial", "Condiciones de un polinomio"),
         text: two(
@@ -629,6 +678,7 @@ const KINDS: &[Term] = &[
             "Distancia entre dos rectas paralelas tangentes a la leva por ambos lados, la misma en todas las direcciones; con rodillos, el diámetro entre sus centros menos sus radios.",
         ),
         formula: Some("d_c = 2R_b + s_(max)"),
+        drawing: Some(("breadth", "breadth")),
         theory: "constant-breadth",
         ..PLAIN
     },
@@ -655,6 +705,40 @@ const KINDS: &[Term] = &[
         ),
         formula: Some("R_(b2) = D - R_b - s_(max)"),
         theory: "conjugate",
+        ..PLAIN
+    },
+    Term {
+        id: "angle",
+        symbol: "δ",
+        name: two("Angle of a conjugate pair", "Ángulo de una pareja conjugada"),
+        unit: DEGREES,
+        text: two(
+            "Between the two arms, or the two faces, of an oscillating follower that rides two cams. Either it or the base radius of the second cam is given, and the other is found.",
+            "Entre los dos brazos, o las dos caras, de un seguidor oscilante que va sobre dos levas. Se da o bien este ángulo o bien el radio base de la segunda leva, y se halla el otro.",
+        ),
+        theory: "conjugate",
+        ..PLAIN
+    },
+    Term {
+        id: "generator",
+        name: two("Motion of a cam of constant breadth", "Movimiento de una leva de anchura constante"),
+        text: two(
+            "How the free half turn is filled: the classic harmonic program, arcs of circle on a regular polygon, or the segments of the program mirrored onto the other half.",
+            "Cómo se llena la media vuelta libre: el programa armónico clásico, arcos de circunferencia sobre un polígono regular, o los tramos del programa reflejados en la otra mitad.",
+        ),
+        drawing: Some(("breadth", "")),
+        theory: "constant-breadth",
+        ..PLAIN
+    },
+    Term {
+        id: "sides",
+        name: two("Sides of the polygon", "Lados del polígono"),
+        text: two(
+            "Vertices of the regular polygon about which the arcs of the cam are drawn: an odd number, so that opposite each vertex there is a side.",
+            "Vértices del polígono regular en torno a los que se trazan los arcos de la leva: un número impar, para que frente a cada vértice haya un lado.",
+        ),
+        drawing: Some(("breadth", "sides")),
+        theory: "constant-breadth",
         ..PLAIN
     },
 ];
