@@ -3,10 +3,10 @@
 use crate::html::{Labels, Page, Pen, section};
 use crate::words::concepts::{Concept, GEOMETRY, KINDS, MOTION};
 use crate::words::manual::SCREENS;
-use crate::words::terms::GROUPS;
+use crate::words::terms::{GROUPS, Term};
 use crate::words::{Two, two};
 use crate::{followers, laws, terms};
-use levalab_core::{FOLLOWERS, LAWS};
+use levalab_core::{FOLLOWERS, LAWS, Law};
 use levalab_words::Language;
 use std::collections::BTreeMap;
 
@@ -119,11 +119,14 @@ fn tell(pen: Pen, concept: &Concept, assets: &Assets) -> (String, String, String
 fn glossary(pen: Pen, assets: &Assets) -> Body {
     let mut places = Vec::new();
     let mut html = format!("<p class=\"lead\">{}</p>", pen.line(ABOUT_TERMS.within(pen.language)));
+    // What belongs to a law is told where there is that law.
+    let stands = |term: &&Term| crate::words::laws::law(term.theory).is_none() || Law::by_id(term.theory).is_some();
     for group in GROUPS {
         let name = group.name.within(pen.language);
-        let entries = group.terms.iter().map(|term| (term.id.to_owned(), term.name.within(pen.language).to_owned()));
+        let terms: Vec<&Term> = group.terms.iter().filter(stands).collect();
+        let entries = terms.iter().map(|term| (term.id.to_owned(), term.name.within(pen.language).to_owned()));
         places.push((name.to_owned(), entries.collect()));
-        let entries: String = group.terms.iter().map(|term| terms::entry(pen, term, assets)).collect();
+        let entries: String = terms.into_iter().map(|term| terms::entry(pen, term, assets)).collect();
         html += &format!("<h2>{name}</h2>{entries}");
     }
     Body { places, html }
