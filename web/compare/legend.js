@@ -7,6 +7,7 @@
 import { h } from "../dom.js";
 import { tabOf } from "../stage/plots.js";
 import { sample } from "./looks.js";
+import { turns } from "./slate.js";
 
 /**
  * @param {ShellContext} context
@@ -33,8 +34,9 @@ export function createLegend({ store, t }, slate) {
   }
 
   /** Whether its curves share an axis with those on screen. @param {Pin} pin */
-  function fits({ report }) {
+  function fits({ report, design }) {
     const { report: current } = store.state;
+    if (turns(design) !== turns(store.lastGood())) return false;
     const tab = /** @type {Tab} */ (tabOf(store.state));
     if (tab === "pressure_angle") return true;
     if (tab === "svaj") return report.units.s === current.units.s;

@@ -45,6 +45,7 @@ td .compare-line:only-child { color: inherit; }
 .compare-actions { gap: 2px; }
 .compare-actions button { min-inline-size: var(--row); color: var(--accent); }
 .compare-name > .compare-actions { display: flex; margin-block-start: 1px; gap: 2px; }
+[data-projector] .compare-table { font-size: 0.82em; }
 .compare-letter { white-space: nowrap; }
 .compare-verdict { display: inline-flex; align-items: center; vertical-align: middle; gap: 0.4em; }
 .compare-verdict .light { inline-size: 1.2rem; block-size: 1.2rem; flex: none; }

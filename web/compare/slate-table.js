@@ -103,7 +103,9 @@ export function createSlateTable({ store, lab, t, format }, slate, say) {
   function figures(design, report, figures, length, travel) {
     const own = length ? undefined : report.units.length;
     const sizes = GEOMETRY.flatMap(([key, name]) => (typeof design.follower[key] === "number" ? [[name, design.follower[key]]] : []));
-    const geometry = [["Rb", design.cam.base_radius], ...sizes].filter(([, value]) => typeof value === "number");
+    /** @type {Record<string, unknown>} */
+    const cam = design.cam;
+    const geometry = [["Rb", cam["base_radius"]], ["dc", cam["breadth"]], ["ℓ", cam["length"]], ...sizes].filter(([, value]) => typeof value === "number");
     const peak = (/** @type {"v" | "a" | "j" | "V" | "A" | "J"} */ name) => quantity(format, figures[FIGURES[name]], travel ? undefined : report.units[name]);
     const [least, greatest] = [figures[FIGURES.least], figures[FIGURES.greatest]];
     return [
@@ -111,11 +113,11 @@ export function createSlateTable({ store, lab, t, format }, slate, say) {
         "td",
         { class: "compare-geometry" },
         h("span", {}, t(`follower.${design.follower.motion}-${design.follower.contact}`), "conjugate" in design ? ` · ${t("compare.pair")}` : null),
-        h("span", {}, ...geometry.flatMap(([name, value]) => [symbol(String(name)), ` ${quantity(format, Number(value), own)}  `])),
+        h("span", {}, ...geometry.flatMap(([name, value]) => [symbol(String(name)), ` ${quantity(format, Number(value), own)}\u2003`])),
       ),
       h("td", {}, quantity(format, figures[FIGURES.lift], travel ? undefined : report.units.s)),
       ...PEAKS.map((names) => h("td", {}, ...names.map((name) => h("span", { class: "compare-line" }, peak(name))))),
-      h("td", {}, `${format.angle(least)} … ${format.angle(greatest)}`),
+      h("td", {}, `${format.number(least, { digits: 1 })} … ${format.number(greatest, { digits: 1 })}`),
       h("td", {}, quantity(format, figures[FIGURES.rho], own)),
       h("td", {}, quantity(format, figures[FIGURES.face], own)),
       h("td", {}, verdict(t, figures[FIGURES.level] ?? 2)),

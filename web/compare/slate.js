@@ -82,7 +82,7 @@ export function createSlate({ store, lab, t, catalogue }, engine) {
       const { colour, dash } = readLook(pin.look);
       engineNow.beside(pin.lab, colour, Float64Array.from(dash));
       const { mechanism, units } = pin.report;
-      return { name: pin.name, outline: pin.outline, sense: mechanism.sense, reach: mechanism.reach, unit: units.length, colour, dash };
+      return { name: pin.name, outline: pin.outline, sense: mechanism.sense, reach: mechanism.reach, unit: turns(pin.design) ? units.length : "", colour, dash };
     });
     store.set({ beside });
     for (const watch of watchers) watch();
@@ -186,6 +186,9 @@ export function createSlate({ store, lab, t, catalogue }, engine) {
     },
   };
 }
+
+/** A cam that travels has no place among those that turn. @param {Design} design */
+export const turns = (design) => design.cam.base_radius > 0;
 
 /** The profile in the cam's own frame. @param {Lab} lab */
 function outlineOf(lab) {

@@ -117,7 +117,8 @@ export class Scene {
 
   /** The cams beside whose lengths are in the same unit. @param {Readonly<State>} state */
   #beside({ beside }) {
-    return beside.filter(({ unit }) => unit === this.report.units.length);
+    const { units, mechanism } = this.report;
+    return mechanism.base_radius > 0 ? beside.filter(({ unit }) => unit === units.length) : [];
   }
 
   /** @param {Pen} pen */
