@@ -1,7 +1,7 @@
 // The diagrams of the parameters say what they show of the cam at hand, and how long its face must be.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { LINKS, becomes, diagram, en, eventually, field, inkOf, numberOf, openExample, openStill } from "./user.js";
+import { LINKS, becomes, diagram, en, es, eventually, field, inkOf, numberOf, openExample, openStill } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -17,7 +17,8 @@ test("the pressure angle is told with its extremes, their places and the limit, 
   await becomes(() => said(page), /from −28\.2° \(at 296\.0°\) to 24\.7° \(at 203\.8°\).*±30°/);
   await page.getByRole("button", { name: "ES", exact: true }).click();
   await becomes(() => said(page), /de −28,2° \(en 296,0°\) a 24,7° \(en 203,8°\).*±30°/);
-  await page.locator("#examples").selectOption("R1");
+  await page.getByRole("button", { name: es("header.examples"), exact: true }).click();
+  await page.locator('[data-example="R1"]').click();
   await becomes(() => said(page), /φ llega a −31,8° en 261,7°, más allá de ±30°/);
 });
 
