@@ -54,9 +54,15 @@ const RECIPE: &str = "3";
 const SMALL_FLAGS: [&str; 4] =
     ["-Zunstable-options", "-Cpanic=immediate-abort", "-Zlocation-detail=none", "-Zfmt-debug=none"];
 
-/// The standard library's own choice of small code; its sines and copies stay fast.
-const SMALL_ARGUMENTS: [&str; 3] =
-    ["-Zbuild-std-features=optimize_for_size", "--config", "profile.release.package.compiler_builtins.opt-level=3"];
+/// The standard library's own choice of small code; its sines and copies stay fast. The core costs a fortieth of its speed so, and
+/// is a tenth smaller.
+const SMALL_ARGUMENTS: [&str; 5] = [
+    "-Zbuild-std-features=optimize_for_size",
+    "--config",
+    "profile.release.package.compiler_builtins.opt-level=3",
+    "--config",
+    "profile.release.package.levalab-core.opt-level=2",
+];
 
 /// The folder of the generated module.
 pub fn package() -> PathBuf {
