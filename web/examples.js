@@ -56,7 +56,7 @@ export function createGallery({ store, lab, t, banner }, check) {
     portraits.set(example.id, portrait);
     const level = h("span", { class: `level ${portrait.level}` }, t(`examples.level.${portrait.level}`));
     const name = h("strong", {}, `${example.id} · ${title}`);
-    const open = h("button", { type: "button", class: "card", "data-example": example.id }, picture(portrait), h("span", { class: "words" }, name, level, h("span", { class: "about" }, note)));
+    const open = h("button", { type: "button", class: "sample", "data-example": example.id }, picture(portrait), h("span", { class: "words" }, name, level, h("span", { class: "about" }, note)));
     open.addEventListener("click", () => {
       dialog.close();
       banner.hide();
