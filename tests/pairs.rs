@@ -4,7 +4,7 @@ mod support;
 
 use levalab_core::{
     Analysis, Body, Cam, Closure, Column, Cycle, Element, Generator, Level, Point, Program, Rotation, Segment, Tie,
-    conjugate, working_ties,
+    angle_between, balanced_tie, conjugate, working_ties,
 };
 use std::f64::consts::{PI, TAU};
 use support::{degrees, follower, lengths};
@@ -234,5 +234,30 @@ fn a_cam_of_constant_diameter_keeps_two_rollers_apart() {
         let touch = yoked.far_contact(theta).expect("a yoke has a far side");
         let far_centre = centre - Point::new(0.0, 116.0 - s);
         assert!(((touch - far_centre).norm() - radius).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_balanced_tie_makes_both_base_circles_alike_and_the_angle_of_a_pair_is_measured() {
+    let sliding =
+        [("translating-flat", vec![]), ("translating-roller", vec![("roller_radius", 10.0), ("eccentricity", 7.0)])];
+    for (id, given) in sliding {
+        let first = cam(id, 90.0, &given, lengths(&rise_and_return(14.0)), Rotation::CounterClockwise);
+        let tie = balanced_tie(&first, Tie::Distance(0.0)).expect(id);
+        let second = conjugate(&first, tie, None).expect(id);
+        assert!((second.follower.base_radius - 90.0).abs() < 1e-9, "{id}: {}", second.follower.base_radius);
+        assert_eq!(angle_between(&first, &second), None, "{id}");
+    }
+    let swinging = [
+        ("oscillating-roller", vec![("roller_radius", 10.0), ("arm", 80.0), ("pivot_distance", 110.0)]),
+        ("oscillating-flat", vec![("pivot_distance", 150.0), ("face_offset", 8.0)]),
+    ];
+    for (id, given) in swinging {
+        let first = cam(id, 60.0, &given, degrees(&rise_and_return(9.0)), Rotation::Clockwise);
+        let by_angle = balanced_tie(&first, Tie::Angle(0.0)).expect(id);
+        let second = conjugate(&first, by_angle, None).expect(id);
+        assert!((second.follower.base_radius - 60.0).abs() < 1e-9, "{id}: {}", second.follower.base_radius);
+        assert!((angle_between(&first, &second).expect(id) - by_angle.value()).abs() < 1e-12, "{id}");
+        assert_eq!(balanced_tie(&first, Tie::BaseRadius(0.0)), Some(Tie::BaseRadius(60.0)), "{id}");
     }
 }

@@ -6,6 +6,7 @@
 import { h } from "./dom.js";
 import { createFollowerChoice } from "./follower-choice.js";
 import { createGeometry } from "./geometry.js";
+import { createKindChoice } from "./kind-choice.js";
 import { createSegments } from "./segments.js";
 import { createTexts } from "./texts.js";
 
@@ -19,13 +20,15 @@ export function mount(root, context) {
   const heading = texts.text(h("h2", { class: "unseen", id: "design-heading" }), "app.design");
   const follower = createFollowerChoice(context, texts);
   const geometry = createGeometry(context, texts);
+  const kind = createKindChoice(context, texts);
   const segments = createSegments(context, texts);
   root.setAttribute("aria-labelledby", heading.id);
-  root.append(heading, follower.root, geometry.root, segments.root);
+  root.append(heading, kind.line, follower.root, geometry.root, kind.root, segments.root);
 
   function update() {
     follower.update();
     geometry.update();
+    kind.update();
     segments.update();
   }
 

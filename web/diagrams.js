@@ -8,12 +8,13 @@
 import { h, write } from "./dom.js";
 import { atRest } from "./rest.js";
 import { choice } from "./stage/choice.js";
-import { played, stepped, stride, wrap } from "./stage/clock.js";
+import { cycleOf, decimalsOf, inside, played, stepped, stride } from "./stage/clock.js";
 import { figure } from "./stage/figure.js";
 import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 import { atTheta, drawOverlay, thetaAt } from "./stage/overlay.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
+import { inSight, letterOf, placeText, seesSecond } from "./stage/place.js";
 import { PLOTS, TABS, rangeOf, styleOf, tabOf, unitOf } from "./stage/plots.js";
 import { vectorDrawings } from "./stage/print.js";
 
@@ -40,7 +41,9 @@ export function mount(root, context) {
   const plots = h("div", { class: "diagram-plots" }, ...Object.values(figures).map(({ element }) => element), overlay);
   const tabs = choice("diagram-tab", ["svaj", "pressure_angle", "rho", "contact"], (value) => store.set({ tab: /** @type {Tab} */ (value) }));
   const timing = choice("diagram-timing", ["radian", "second"], (value) => store.set({ perSecond: value === "second" }));
-  root.append(plots, legend, note, h("div", { class: "diagram-bar" }, tabs.element, timing.element));
+  const cams = choice("diagram-cam", ["first", "second"], (value) => store.set({ second: value === "second" }));
+  cams.element.hidden = true;
+  root.append(plots, legend, note, h("div", { class: "diagram-bar" }, cams.element, tabs.element, timing.element));
 
   const surface = /** @type {CanvasRenderingContext2D} */ (overlay.getContext("2d"));
   let palette = readPalette();
@@ -68,9 +71,11 @@ export function mount(root, context) {
     palette = readPalette();
     schedule();
   });
-  store.subscribe(["report", "perSecond", "language", "tab", "margins", "beside"], (_, changed) => {
+  store.subscribe(["report", "perSecond", "language", "tab", "margins", "beside", "second"], (_, changed) => {
+    const { report } = store.state;
+    const dressed = (report.conjugate === null) === cams.element.hidden && overlay.getAttribute("aria-valuemax") === String(report.span);
     const other = tabOf(store.state) !== arranged;
-    if (other || changed.has("language") || changed.has("perSecond")) word();
+    if (other || !dressed || changed.has("language") || changed.has("perSecond") || changed.has("second")) word();
     if (other) {
       arrange();
       measure();
@@ -80,7 +85,8 @@ export function mount(root, context) {
     caption();
   });
   const tell = atRest(() => {
-    const { report, perSecond } = store.state;
+    const { perSecond } = store.state;
+    const report = inSight(store.state);
     void explain();
     for (const { plot, canvas } of Object.values(figures)) {
       const name = t(`diagram.name.${plot.diagram}`);
@@ -91,7 +97,7 @@ export function mount(root, context) {
 
   const moved = metered(drawCursor);
   store.subscribe(["cursor", "highlight"], (_, changed) => {
-    if (!changed.has("report") && !changed.has("tab") && !changed.has("perSecond") && !changed.has("language")) moved();
+    if (!changed.has("report") && !changed.has("tab") && !changed.has("perSecond") && !changed.has("language") && !changed.has("second")) moved();
   });
   store.subscribe(["cursor", "playing", "language"], tellCursor);
   arrange();
@@ -154,7 +160,7 @@ export function mount(root, context) {
     const { perSecond } = store.state;
     rows = slots.map(({ diagram, left, top, wide, tall, labels }) => {
       const { plot, canvas } = figures[diagram];
-      const area = lab().draw(canvas, diagram, styleOf(plot, palette, store.state, { width: wide, height: tall, ratio, labels }));
+      const area = lab().draw(canvas, diagram, styleOf(plot, palette, store.state, { width: wide, height: tall, ratio, labels }), seesSecond(store.state));
       return { area, x: left, y: top, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
     });
     drawCursor();
@@ -163,29 +169,35 @@ export function mount(root, context) {
   function drawCursor() {
     if (rows.length === 0 || !ready()) return;
     const { cursor, highlight, report } = store.state;
-    drawOverlay(surface, { rows, width, height, ratio, cursor, hover, label: `θ ${format.angle(cursor)}`, highlight, report, at: instant(context), palette });
+    const label = `${letterOf(report)} ${placeText(format, report, cursor, decimalsOf({ cursor, playing: true }, cycleOf(report)))}`;
+    drawOverlay(surface, { rows, width, height, ratio, cursor, hover, label, highlight, report, at: instant(context, seesSecond(store.state)), palette });
   }
 
   /** For a reader of the screen; not sixty times a second. */
   function tellCursor() {
-    const { playing, cursor } = store.state;
+    const { playing, cursor, report } = store.state;
     if (playing && overlay.hasAttribute("aria-valuenow")) return;
-    overlay.setAttribute("aria-valuenow", cursor.toFixed(1));
-    overlay.setAttribute("aria-valuetext", `θ ${format.angle(cursor)}`);
+    overlay.setAttribute("aria-valuenow", cursor.toFixed(report.travels ? 3 : 1));
+    overlay.setAttribute("aria-valuetext", `${letterOf(report)} ${placeText(format, report, cursor)}`);
   }
 
   function word() {
-    const { perSecond } = store.state;
+    const { perSecond, report } = store.state;
+    const { travels } = report;
     const tab = tabOf(store.state);
     root.setAttribute("aria-label", t("diagram.title"));
-    overlay.setAttribute("aria-label", t("diagram.cursor"));
+    overlay.setAttribute("aria-label", t(travels ? "diagram.cursor.travel" : "diagram.cursor"));
+    overlay.setAttribute("aria-valuemax", String(report.span));
+    cams.element.hidden = report.conjugate === null;
+    cams.word(t("diagram.cams"), (value) => t(`diagram.cam.${value}`), (value) => t(`diagram.cam.${value}.long`), seesSecond(store.state) ? "second" : "first");
     tabs.word(t("diagram.choose"), (value) => SHORT[/** @type {Tab} */ (value)], (value) => t(`diagram.tab.${value}`), tab);
-    timing.word(t("diagram.timing"), (value) => t(`diagram.per.${value}.short`), (value) => t(`diagram.per.${value}`), perSecond ? "second" : "radian");
+    timing.word(t("diagram.timing"), (value) => (travels && value === "radian" ? t("diagram.per.length.short", { unit: report.units.length }) : t(`diagram.per.${value}.short`)), (value) => (travels && value === "radian" ? t("diagram.per.length") : t(`diagram.per.${value}`)), perSecond ? "second" : "radian");
   }
 
   /** Letters, names and units; the sentences for those who cannot see the curves follow when the hand rests. */
   function caption() {
-    const { report, perSecond } = store.state;
+    const { perSecond } = store.state;
+    const report = inSight(store.state);
     for (const { plot, letter, name, unit } of Object.values(figures)) {
       write(letter, perSecond ? plot.perSecond : plot.letter);
       write(name, t(`diagram.name.${plot.diagram}`));
@@ -212,30 +224,34 @@ export function mount(root, context) {
    * @param {string} unit
    */
   function alternative(plot, name, letter, unit) {
-    const { report, perSecond } = store.state;
+    const { perSecond } = store.state;
+    const report = inSight(store.state);
     const range = rangeOf(plot, report, perSecond);
     if (!range) return t("diagram.alternative.none", { name, letter });
     // Where the profile turns hollow, ρ goes through infinity: what counts is where it is sharpest.
     if (plot.diagram === "rho" && report.least_convex && (range.min === null || range.max === null)) {
       const { value, at } = report.least_convex;
-      return t("diagram.alternative.rho", { name, letter, value: format.quantity(value, { trim: true, unit }), at: format.angle(at) });
+      return t("diagram.alternative.rho", { name, letter, value: format.quantity(value, { trim: true, unit }), at: placeText(format, report, at) });
     }
     /** @param {number | null} value */
     const say = (value) => (value === null ? "∞" : format.quantity(value, { trim: true, unit }));
     return t("diagram.alternative", {
-      name, letter, min: say(range.min), max: say(range.max), minAt: format.angle(range.min_at), maxAt: format.angle(range.max_at),
+      name, letter, min: say(range.min), max: say(range.max), minAt: placeText(format, report, range.min_at), maxAt: placeText(format, report, range.max_at),
     });
   }
 
   /** @param {MouseEvent} event */
   function thetaUnder(event) {
     const [first] = rows;
-    return first ? Math.min(Math.max(thetaAt(first, event.offsetX), 0), 359.9) : 0;
+    const { travels, span } = store.state.report;
+    return first ? Math.min(Math.max(thetaAt(first, event.offsetX), 0), travels ? span : 359.9) : 0;
   }
 
   /** @param {PointerEvent} event */
   function drag(event) {
-    store.set({ cursor: wrap(Math.round(thetaUnder(event) * 10) / 10), playing: false });
+    const cycle = cycleOf(store.state.report);
+    const tenth = 10 / cycle.unit;
+    store.set({ cursor: inside(cycle, Math.round(thetaUnder(event) * tenth) / tenth), playing: false });
   }
 
   overlay.addEventListener("pointerdown", (event) => {
@@ -251,7 +267,7 @@ export function mount(root, context) {
     }
     const [first] = rows;
     if (!first || event.pointerType === "touch") return;
-    const inside = event.offsetX >= atTheta(first, 0) && event.offsetX <= atTheta(first, 360);
+    const inside = event.offsetX >= atTheta(first, 0) && event.offsetX <= atTheta(first, store.state.report.span);
     hover = inside ? thetaUnder(event) : NaN;
     lightSegment(inside ? store.state.report.borders.findIndex((border) => border > hover) - 1 : -1);
     drawCursor();
@@ -279,7 +295,8 @@ export function mount(root, context) {
       if (event.ctrlKey) return;
       event.preventDefault();
       const way = Math.sign(event.deltaY || event.deltaX);
-      if (way !== 0) store.set({ cursor: stepped(store.state.cursor, way * stride(event)), playing: false });
+      const cycle = cycleOf(store.state.report);
+      if (way !== 0) store.set({ cursor: stepped(store.state.cursor, way * stride(event, cycle), cycle), playing: false });
     },
     { passive: false },
   );
@@ -295,7 +312,7 @@ export function mount(root, context) {
     TABS[tabOf(store.state)].map((diagram) => {
       const { plot, canvas } = figures[diagram];
       const given = { width: canvas.clientWidth, height: canvas.clientHeight, ratio: 1, labels: true };
-      return { canvas, svg: lab().svg(diagram, styleOf(plot, paperPalette(), store.state, given)) };
+      return { canvas, svg: lab().svg(diagram, styleOf(plot, paperPalette(), store.state, given), seesSecond(store.state)) };
     }),
   );
 }

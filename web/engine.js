@@ -1,7 +1,7 @@
 /**
  * The calculation: WebAssembly loaded once, and started again from the kept module should it ever panic.
  *
- * @import { Catalogue, Design, Lab, Language, Opened, Read } from "./types.d.ts"
+ * @import { Catalogue, Design, Lab, Language, Opened, Read, Room, TieKey } from "./types.d.ts"
  */
 import { compile, glue } from "./module.js";
 
@@ -20,6 +20,7 @@ const RESTART_WINDOW = 10_000;
  * @property {() => Omit<Catalogue, "first"> & { first: string }} catalogue
  * @property {(fragment: string, language: Language) => Read} open_link
  * @property {(design: unknown, language: Language) => Read} read_design
+ * @property {(design: unknown, key: TieKey) => Room | null} room_for_second
  */
 
 /**
@@ -115,6 +116,12 @@ export async function startEngine({ language, restarted }) {
       if (opened.report) good = design;
       return opened;
     },
+
+    /**
+     * @param {Readonly<Design>} design
+     * @param {TieKey} key
+     */
+    room: (design, key) => guarded(() => module.room_for_second(design, key), null),
 
     /** @param {string} fragment */
     openLink: (fragment) => guarded(() => module.open_link(fragment, language()), unread(fragment)),

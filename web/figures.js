@@ -8,6 +8,10 @@ import { mark } from "./help-mark.js";
 
 /** What the question mark beside a figure explains. @type {Record<string, string>} */
 const TERMS = { phi: "pressure_angle" };
+import { inSight, placeIn } from "./stage/place.js";
+
+/** How far a breadth may vary, as a part of it, and be called constant. */
+const CONSTANT = 1e-12;
 
 /** @param {ShellContext} context */
 export function createFigures({ store, t, format }) {
@@ -19,8 +23,8 @@ export function createFigures({ store, t, format }) {
   const angle = (value) => format.angle(value);
 
   function entries() {
-    const { summary, least_convex, pressure_angle_limit, mechanism, units } = store.state.report;
-    const { pressure_angle: phi, s: lift, contact } = summary;
+    const { summary, least_convex, pressure_angle_limit, mechanism, units } = inSight(store.state);
+    const { pressure_angle: phi, s: lift, contact, breadth } = summary;
     /** @type {[string, string, number | undefined][]} */
     const list = [];
     if (phi && mechanism.contact !== "flat") {
@@ -31,6 +35,7 @@ export function createFigures({ store, t, format }) {
       list.push(["rho", t("verdict.figure.rho", { value }), least_convex.at]);
     }
     if (lift) list.push(["s", t("verdict.figure.lift", { value: format.quantity(lift.max, { trim: true, unit: units.s }) }), lift.max_at]);
+    if (breadth) list.push(["breadth", t("verdict.figure.breadth", { value: constant(breadth, units.length) }), undefined]);
     if (mechanism.opening !== null) list.push(["opening", t("verdict.figure.opening", { value: format.number(mechanism.opening, { digits: 2, unit: "°" }) }), 0]);
     if (contact && mechanism.contact === "flat" && contact.max !== null && contact.min !== null) {
       list.push(["face", t("verdict.figure.face", { value: format.quantity(contact.max - contact.min, { trim: true, unit: units.length }) }), contact.max_at]);
@@ -58,12 +63,23 @@ export function createFigures({ store, t, format }) {
     speak: () => root.setAttribute("aria-label", t("verdict.figures")),
   };
 
+  /**
+   * A breadth measured over the turn: one value when its least and greatest are the same but for rounding, as they must be.
+   * @param {Range} breadth
+   * @param {string} unit
+   */
+  function constant({ min, max }, unit) {
+    const [least, most] = [min ?? NaN, max ?? NaN];
+    const same = Math.abs(most - least) <= CONSTANT * Math.abs(most);
+    return same ? format.number(Number(most.toPrecision(9)), { unit }) : `${format.number(least)} … ${format.number(most, { unit })}`;
+  }
+
   /** A figure, which leads to where it is reached. @param {number} index */
   function figure(index) {
     const button = h("button", { type: "button", id: `figure-${index}` });
     button.addEventListener("click", () => {
       const theta = entries()[index]?.[2];
-      if (theta !== undefined) store.set({ cursor: theta % 360, playing: false });
+      if (theta !== undefined) store.set({ cursor: placeIn(store.state.report, theta), playing: false });
     });
     root.append(h("span", { class: "figure-place" }, button, mark("", button.id)));
     return button;

@@ -6,6 +6,7 @@
  */
 import { h, write } from "./dom.js";
 import { applyEdits } from "./program.js";
+import { placeIn, placeText } from "./stage/place.js";
 
 /**
  * @param {ShellContext} context
@@ -35,7 +36,8 @@ export function createFindingItem({ store, t, format }, cured) {
 
   /** @param {number} theta */
   function see(theta) {
-    store.set({ cursor: ((theta % 360) + 360) % 360, playing: false, highlight: { theta } });
+    const cursor = placeIn(store.state.report, theta);
+    store.set({ cursor, playing: false, highlight: { theta }, ...(what?.cam ? { second: what.cam === 2 } : {}) });
   }
 
   /**
@@ -73,11 +75,12 @@ export function createFindingItem({ store, t, format }, cured) {
     /** @param {Finding} next */
     update(next) {
       // The message is in the language of the page, so that a change of language is a change.
-      const same = what?.message === next.message && what.theta === next.theta && what.places.join() === next.places.join();
+      const same = what?.message === next.message && what.cam === next.cam && what.severity === next.severity && what.theta === next.theta && what.places.join() === next.places.join();
       what = next;
       if (same) return;
-      write(sentence, next.message);
-      sentence.title = t("verdict.see", { angle: format.angle(next.theta) });
+      write(sentence, next.cam === null ? next.message : t("verdict.cam", { number: next.cam, text: next.message }));
+      root.classList.toggle("tolerated", next.severity === "acceptable");
+      sentence.title = t("verdict.see", { angle: placeText(format, store.state.report, next.theta) });
       const several = next.places.length > 1 ? next.places : [];
       fillButtons(places, "place", several.map(degrees), (index) => see(what?.places[index] ?? 0));
     },
@@ -101,7 +104,7 @@ export function createFindingItem({ store, t, format }, cured) {
 
   /** @param {number} theta */
   function degrees(theta) {
-    return format.number(Math.round(theta * 10) / 10, { unit: "°" });
+    return store.state.report.travels ? placeText(format, store.state.report, theta) : format.number(Math.round(theta * 10) / 10, { unit: "°" });
   }
 }
 

@@ -1,7 +1,7 @@
 /**
  * Another follower for the same cam: what can be kept is kept, the rest gets proportions that work.
  *
- * @import { Design, Follower, FollowerEntry, Parameter } from "./types.d.ts"
+ * @import { Design, Follower, FollowerEntry, Parameter, ShellContext } from "./types.d.ts"
  */
 import { clean } from "./clean.js";
 import { scaleHeights, setEnd, statedEnd } from "./free-data.js";
@@ -26,11 +26,24 @@ export function changeFollower(draft, entry) {
   /** @type {Follower} */
   const next = { motion: entry.motion, contact: entry.contact };
   for (const parameter of entry.parameters) {
-    const value = kept(old, parameter.key) ?? proportion(parameter, draft.cam.base_radius, next);
+    const value = kept(old, parameter.key) ?? proportion(parameter, draft.cam.base_radius ?? (draft.cam.length ?? 1) / 5, next);
     if (value !== null) next[parameter.key] = value;
   }
   draft.follower = next;
   if (old.motion !== next.motion) convertRises(draft, next.motion === "oscillating" ? lever(next) : 1 / lever(old));
+}
+
+/**
+ * Another follower needs another tie to its second cam: one that works, or else the second cam goes.
+ * @param {Design} draft
+ * @param {ShellContext["room"]} room
+ */
+export function keepPair(draft, room) {
+  if (!draft.conjugate) return;
+  const key = draft.follower.motion === "translating" ? "distance" : "angle";
+  const found = room(draft, key);
+  if (found) draft.conjugate = { [key]: found.value };
+  else delete draft.conjugate;
 }
 
 /**

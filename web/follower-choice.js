@@ -5,7 +5,7 @@
  * @import { Texts } from "./texts.js"
  */
 import { h } from "./dom.js";
-import { changeFollower } from "./follower-change.js";
+import { changeFollower, keepPair } from "./follower-change.js";
 import { followerDrawing } from "./follower-drawings.js";
 import { mark } from "./help-mark.js";
 
@@ -13,11 +13,14 @@ import { mark } from "./help-mark.js";
  * @param {ShellContext} context
  * @param {Texts} texts
  */
-export function createFollowerChoice({ store, catalogue, t }, texts) {
+export function createFollowerChoice({ store, catalogue, t, room }, texts) {
   const chosen = h("span", { class: "aside" });
   const radios = catalogue.followers.map((entry) => {
     const input = h("input", { type: "radio", name: "follower", value: entry.id, class: "unseen" });
-    input.addEventListener("change", () => store.edit(t("edit.follower"), (draft) => changeFollower(draft, entry)));
+    input.addEventListener("change", () => store.edit(t("edit.follower"), (draft) => {
+      changeFollower(draft, entry);
+      keepPair(draft, room);
+    }));
     const label = h("label", { class: "follower" }, input, followerDrawing(entry.id));
     texts.also(() => {
       label.title = t(`follower.${entry.id}`);
@@ -35,6 +38,8 @@ export function createFollowerChoice({ store, catalogue, t }, texts) {
 
   function update() {
     const current = followerEntry(catalogue.followers, store.state.design.follower);
+    const suited = catalogue.kinds.find(({ id }) => id === store.state.design.cam.kind)?.followers ?? [];
+    for (const { entry, input } of radios) input.parentElement?.toggleAttribute("hidden", !suited.includes(entry.id));
     for (const { entry, input } of radios) if (input.checked !== (entry === current)) input.checked = entry === current;
     const name = current ? t(`follower.${current.id}`) : "";
     if (chosen.textContent !== name) chosen.textContent = name;

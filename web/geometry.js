@@ -1,7 +1,7 @@
 /**
  * Geometry and speed: a dimensioned drawing with its fields, generated from the catalogue.
  *
- * @import { Design, FollowerEntry, Parameter, Rotation, ShellContext } from "./types.d.ts"
+ * @import { Design, FollowerEntry, KindId, Parameter, Rotation, ShellContext } from "./types.d.ts"
  * @import { NumberField } from "./number-field.js"
  * @import { Texts } from "./texts.js"
  */
@@ -15,6 +15,22 @@ import { createNumberField, lengthStep, ownStep } from "./number-field.js";
 const ROTATIONS = ["counterclockwise", "clockwise"];
 const TURNING = { counterclockwise: "↺", clockwise: "↻" };
 
+/** Magnitudes of the cam itself, by its kind. */
+/** @type {Record<KindId, Pick<Parameter, "key" | "symbol" | "quantity">[]>} */
+const MAGNITUDES = {
+  rotating: [{ key: "base_radius", symbol: "R_b", quantity: "length" }],
+  grooved: [{ key: "base_radius", symbol: "R_b", quantity: "length" }],
+  "constant-breadth": [
+    { key: "base_radius", symbol: "R_b", quantity: "length" },
+    { key: "breadth", symbol: "d_c", quantity: "length" },
+  ],
+  translating: [{ key: "length", symbol: "ℓ", quantity: "length" }],
+};
+const OF_THE_CAM = ["base_radius", "breadth", "length"];
+
+/** What a follower cannot have in a yoke or on a cam that travels. */
+const OFF_CENTRE = ["eccentricity", "face_angle"];
+
 /**
  * @param {ShellContext} context
  * @param {Texts} texts
@@ -27,6 +43,8 @@ export function createGeometry(context, texts) {
   let fields = [];
   /** @type {FollowerEntry | undefined} */
   let shown;
+  /** @type {KindId} */
+  let kind = "rotating";
 
   const drawing = createHelpDrawing({
     pick: (parameter) => fields.find(({ key }) => key === parameter)?.field.input.focus(),
@@ -44,8 +62,22 @@ export function createGeometry(context, texts) {
     path: () => "speed.value",
     highlight: () => ({ parameter: "speed" }),
   });
+  const pace = createNumberField(context, {
+    id: "field-pace",
+    label: symbol("v"),
+    name: () => t("parameter.pace"),
+    unit: () => store.state.design.speed.unit,
+    read: (design) => design.speed.value,
+    write: (draft, value) => (draft.speed.value = value),
+    step: (design) => ownStep(design.speed.value),
+    path: () => "speed.value",
+    highlight: () => ({ parameter: "speed" }),
+  });
   const speedUnit = select("field-speed-unit", catalogue.speed_units, (draft, unit) => (draft.speed.unit = unit), t);
-  const lengthUnit = select("field-length-unit", catalogue.length_units, (draft, unit) => (draft.length_unit = unit), t);
+  const lengthUnit = select("field-length-unit", catalogue.length_units, (draft, unit) => {
+    draft.length_unit = unit;
+    if (draft.cam.kind === "translating") draft.speed.unit = `${unit}/s`;
+  }, t);
   const rotation = select("field-rotation", ROTATIONS, (draft, sense) => (draft.cam.rotation = /** @type {Rotation} */ (sense)), t);
 
   /**
@@ -66,7 +98,7 @@ export function createGeometry(context, texts) {
   /** @param {Pick<Parameter, "key" | "symbol" | "quantity">} parameter */
   function createField({ key, symbol: sign, quantity }) {
     /** @param {Readonly<Design>} design */
-    const home = (design) => /** @type {Record<string, unknown>} */ (key === "base_radius" ? design.cam : design.follower);
+    const home = (design) => /** @type {Record<string, unknown>} */ (OF_THE_CAM.includes(key) ? design.cam : design.follower);
     const field = createNumberField(context, {
       id: `field-${key}`,
       label: symbol(sign),
@@ -78,23 +110,28 @@ export function createGeometry(context, texts) {
       },
       write: (draft, value) => (home(draft)[key] = value),
       step: (design) => (quantity === "length" ? lengthStep(design) : quantity === "angle" ? 1 : 0.05),
-      path: () => `${key === "base_radius" ? "cam" : "follower"}.${key}`,
+      path: () => `${OF_THE_CAM.includes(key) ? "cam" : "follower"}.${key}`,
       highlight: () => ({ parameter: key }),
     });
     return { key, field };
   }
 
-  /** @param {FollowerEntry} entry */
-  function build(entry) {
+  /**
+   * @param {FollowerEntry} entry
+   * @param {KindId} of
+   */
+  function build(entry, of) {
     shown = entry;
+    kind = of;
+    const own = of === "rotating" || of === "grooved" ? entry.parameters : entry.parameters.filter(({ key }) => !OFF_CENTRE.includes(key));
     fields = [
-      createField({ key: "base_radius", symbol: "R_b", quantity: "length" }),
-      ...entry.parameters.map(createField),
-      { key: "speed", field: speed },
+      ...MAGNITUDES[of].map(createField),
+      ...own.map(createField),
+      of === "translating" ? { key: "pace", field: pace } : { key: "speed", field: speed },
     ];
     rows.replaceChildren(...fields.map(({ key, field }) => row(key, field)));
     speed.unit.replaceWith(speedUnit);
-    drawing.show(entry, t(`follower.${entry.id}`));
+    for (const part of turning) part.hidden = of === "translating";
     speak();
   }
 
@@ -104,7 +141,7 @@ export function createGeometry(context, texts) {
    */
   function row(key, field) {
     const unit = key === "speed" ? speedUnit : field.unit;
-    return h("div", { class: "field", "data-key": key }, field.label, field.input, unit, mark(key, `field-${key}-label`), field.error);
+    return h("div", { class: "field", "data-key": key }, field.label, field.input, unit, mark(key === "pace" ? "speed" : key, `field-${key}-label`), field.error);
   }
 
   function speak() {
@@ -117,15 +154,15 @@ export function createGeometry(context, texts) {
       option.textContent = `${TURNING[sense]} ${t(`rotation.${sense}`)}`;
     }
     speedUnit.setAttribute("aria-label", t("design.speed-unit"));
-    if (shown) drawing.show(shown, t(`follower.${shown.id}`));
+    if (shown) void drawing.show(shown, t(`follower.${shown.id}`), kind);
   }
 
+  /** What a cam that travels lacks. */
+  const turning = [texts.text(h("label", { for: "field-rotation", id: "name-rotation" }), "design.rotation"), rotation, mark("rotation", "name-rotation")];
   const choices = h(
     "div",
     { class: "choices-row" },
-    texts.text(h("label", { for: "field-rotation", id: "name-rotation" }), "design.rotation"),
-    rotation,
-    mark("rotation", "name-rotation"),
+    ...turning,
     texts.attribute(texts.text(h("label", { for: "field-length-unit" }), "design.length-unit"), "title", "design.length-unit.hint"),
     lengthUnit,
   );
@@ -142,7 +179,7 @@ export function createGeometry(context, texts) {
   function update() {
     const { design, error } = store.state;
     const entry = followerEntry(catalogue.followers, design.follower);
-    if (entry && entry !== shown) build(entry);
+    if (entry && (entry !== shown || design.cam.kind !== kind)) build(entry, design.cam.kind);
     for (const { field } of fields) {
       field.update(store.state);
       field.speakUnit();
@@ -150,7 +187,7 @@ export function createGeometry(context, texts) {
     choose(speedUnit, design.speed.unit);
     choose(lengthUnit, design.length_unit);
     choose(rotation, design.cam.rotation ?? "counterclockwise");
-    const orphan = error !== null && !error.path.startsWith("segments") && !owned(error.path);
+    const orphan = error !== null && !/^(segments|conjugate)|generator|sides/.test(error.path) && !owned(error.path);
     general.hidden = !orphan;
     write(general, orphan ? error.message : "");
   }

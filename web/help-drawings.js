@@ -2,7 +2,7 @@
  * The drawing beside the geometry fields: each follower at rest, with its magnitudes dimensioned. The one that is being
  * edited lights up, and a click on a dimension goes to its field.
  *
- * @import { FollowerEntry } from "./types.d.ts"
+ * @import { FollowerEntry, KindId } from "./types.d.ts"
  */
 import { s } from "./dom.js";
 import { arcArrow, arrow, circle, letter, lobe, path, polar, stroke } from "./sketch.js";
@@ -46,6 +46,7 @@ const DRAWINGS = {
  */
 export function createHelpDrawing({ pick, point }) {
   const root = s("svg", { class: "help-drawing", role: "img" });
+  let wanted = "";
 
   /** @param {Event} event */
   const parameterAt = (event) =>
@@ -64,15 +65,20 @@ export function createHelpDrawing({ pick, point }) {
     /**
      * @param {FollowerEntry} entry
      * @param {string} name  text alternative
+     * @param {KindId} kind
      */
-    show(entry, name) {
+    async show(entry, name, kind) {
       /** @type {Symbols} */
-      const symbols = { base_radius: "R_b" };
+      const symbols = { base_radius: "R_b", breadth: "d_c", length: "ℓ" };
       for (const parameter of entry.parameters) symbols[parameter.key] = parameter.symbol;
-      root.replaceChildren(...(DRAWINGS[entry.id] ?? anyFollower)(symbols));
+      const now = (wanted = `${kind} ${entry.id}`);
+      const plain = () => (DRAWINGS[entry.id] ?? anyFollower)(symbols);
       const top = entry.motion === "oscillating" ? ROOM : 0;
       root.setAttribute("viewBox", `0 ${top} ${WIDTH} ${HEIGHT - top}`);
       root.setAttribute("aria-label", name);
+      if (kind === "rotating" || kind === "grooved") return root.replaceChildren(...plain());
+      const { kindDrawing } = await import("./kind-drawings.js");
+      if (wanted === now) root.replaceChildren(...(kindDrawing(kind, entry.id, symbols) ?? plain()));
     },
 
     /** @param {string | null} parameter */
@@ -91,7 +97,7 @@ export function createHelpDrawing({ pick, point }) {
  * @param {Point} at
  * @param {"start" | "middle" | "end"} [anchor]
  */
-function dimension(symbols, key, strokes, at, anchor) {
+export function dimension(symbols, key, strokes, at, anchor) {
   const symbol = symbols[key];
   if (symbol === undefined) return s("g");
   return s("g", { "data-parameter": key, class: "dimension" }, ...strokes, letter(symbol, at, anchor));
@@ -102,7 +108,7 @@ function dimension(symbols, key, strokes, at, anchor) {
  * @param {number} base
  * @param {number} about  direction of the lobe
  */
-function cam(centre, base, about) {
+export function cam(centre, base, about) {
   return [stroke("cam", lobe(centre, base, 13, about)), circle("base-circle", centre, base), circle("hub", centre, 4)];
 }
 
@@ -112,7 +118,7 @@ function cam(centre, base, about) {
  * @param {number} base
  * @param {number} direction
  */
-function baseRadius(symbols, centre, base, direction) {
+export function baseRadius(symbols, centre, base, direction) {
   const tip = polar(centre, base, direction);
   const label = polar(centre, base * 0.6, direction + 24);
   return dimension(symbols, "base_radius", arrow(centre, tip), { x: label.x, y: label.y + 4 });

@@ -50,6 +50,8 @@ export function mount(root, context) {
   let height = 0;
   /** @type {Scene | null} */
   let scene = null;
+  /** How other kinds of cam and pairs are drawn, loaded when the first is met. @type {import("./stage/kinds.js").Kinds | null} */
+  let kinds = null;
   /** @type {View | null} */
   let goal = null;
   /** True once the user has chosen what to see: then only a wholly other mechanism moves the view. */
@@ -62,16 +64,19 @@ export function mount(root, context) {
 
   /** The text alternative. */
   const describe = atRest(() => {
-    const { mechanism, units } = store.state.report;
+    const { mechanism, units, kind, span, conjugate, summary } = store.state.report;
     const length = (/** @type {number} */ value) => format.quantity(value, { trim: true, unit: units.length });
+    const second = conjugate ? ` ${t("stage.alternative.pair", { base: length(conjugate.mechanism.base_radius) })}` : "";
     canvas.setAttribute(
       "aria-label",
-      t("stage.alternative", {
+      t(kind === "rotating" ? "stage.alternative" : `stage.alternative.${kind}`, {
+        length: length(span),
+        breadth: length(summary.breadth?.max ?? 0),
         follower: t(`stage.follower.${mechanism.motion}-${mechanism.contact}`),
         base: length(mechanism.base_radius),
         reach: length(mechanism.reach),
         sense: t(mechanism.sense > 0 ? "stage.counterclockwise" : "stage.clockwise"),
-      }),
+      }) + second,
     );
   });
 
@@ -127,7 +132,7 @@ export function mount(root, context) {
       const angle = -scene.camAngle(store.state.cursor);
       const [c, n] = [Math.cos(angle), Math.sin(angle)];
       surface.setTransform(1, 0, 0, 1, 0, 0);
-      return surface.isPointInPath(scene.cam.profile, x * c - y * n, x * n + y * c);
+      return surface.isPointInPath(scene.cam.profile, x * c - y * n + scene.camShift(store.state.cursor), x * n + y * c);
     },
     zoom(factor, px, py) {
       if (!goal) return;
@@ -148,8 +153,17 @@ export function mount(root, context) {
 
   function rebuild() {
     const { report } = store.state;
-    const other = `${report.mechanism.motion} ${report.mechanism.contact} ${report.units.length}`;
-    scene = new Scene(report, lab(), scene);
+    const plain = report.kind === "rotating" && report.conjugate === null;
+    if (!plain && !kinds) {
+      void import("./stage/kinds.js").then((module) => {
+        kinds = module;
+        rebuild();
+        draw();
+      });
+      return;
+    }
+    const other = `${report.mechanism.motion} ${report.mechanism.contact} ${report.units.length} ${report.kind} ${report.conjugate !== null} ${report.travels ? report.span : ""}`;
+    scene = new Scene(report, lab(), scene, plain ? null : kinds);
     if (other !== kind) {
       chosen = false;
       menu.update();
@@ -217,11 +231,16 @@ export function mount(root, context) {
     }
     const { x, y } = pointer;
     const { sense } = scene.report.mechanism;
+    const digitsOf = Math.max(0, Math.ceil(Math.log10(pen.view.scale)));
+    if (scene.report.travels) {
+      const told = (/** @type {number} */ value) => format.number(value, { digits: digitsOf });
+      coordinates.textContent = t("stage.pointer.travel", { x: told(x), y: told(y), place: told(x + store.state.cursor), unit: scene.report.units.length });
+      return;
+    }
     const around = 90 - (Math.atan2(y, x) * 180) / Math.PI;
     // The cam angle at which this place of the cam stands upright.
     const place = (((sense * around + store.state.cursor) % 360) + 360) % 360;
-    const digits = Math.max(0, Math.ceil(Math.log10(pen.view.scale)));
-    const length = (/** @type {number} */ value) => format.number(value, { digits });
+    const length = (/** @type {number} */ value) => format.number(value, { digits: digitsOf });
     coordinates.textContent = t("stage.pointer", {
       x: length(x), y: length(y), r: length(Math.hypot(x, y)), angle: format.angle(place), unit: scene.report.units.length,
     });

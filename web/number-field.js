@@ -231,7 +231,8 @@ function abridged(text) {
  * @param {Readonly<Design>} design
  */
 export function lengthStep(design) {
-  const size = Math.abs(design.cam.base_radius) / 20;
+  const { base_radius: radius, length = 0 } = design.cam;
+  const size = Math.abs(radius ?? length / 4) / 20;
   return size > 0 && Number.isFinite(size) ? 10 ** Math.floor(Math.log10(size) + 1e-9) : 1;
 }
 

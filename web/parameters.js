@@ -6,6 +6,7 @@
  */
 import { h, write } from "./dom.js";
 import { fieldText, parseNumber } from "./numbers.js";
+import { inSight, seesSecond } from "./stage/place.js";
 import { tabOf } from "./stage/plots.js";
 import { addStrings } from "./strings/index.js";
 import { parametersEn } from "./strings/parameters.en.js";
@@ -56,7 +57,8 @@ export function createExplanation(root, { store, lab, t, format }) {
 
   return {
     update() {
-      const { report, margins } = store.state;
+      const { margins } = store.state;
+      const report = inSight(store.state);
       const tab = tabOf(store.state);
       if (tab === "svaj") return;
       const contact = tab === "contact";
@@ -64,7 +66,7 @@ export function createExplanation(root, { store, lab, t, format }) {
       write(finding, { pressure_angle: slope, rho: curvature, contact: walk }[tab](report));
       field.hidden = face.hidden = !contact;
       if (!contact) return;
-      const [left = 0, right = 0, least = 0] = lab().face(margins[report.units.length] ?? 0);
+      const [left = 0, right = 0, least = 0] = lab().face(margins[report.units.length] ?? 0, seesSecond(store.state));
       write(label, t("parameters.margin"));
       write(unit, report.units.length);
       write(

@@ -8,6 +8,31 @@ import { fitted, setBeta, setEnd, statedEnd } from "./free-data.js";
 
 const TURN = 360;
 
+/**
+ * What the segments cover: a turn, half a turn that its image completes, or the length of a cam that travels.
+ * @param {Readonly<Design>} design
+ */
+export function wholeOf({ cam }) {
+  if (cam.kind === "translating") return cam.length ?? 0;
+  return cam.kind === "constant-breadth" ? TURN / 2 : TURN;
+}
+
+/**
+ * How far the follower of a cam of constant breadth travels: dc − 2Rb.
+ * @param {Readonly<Design>} design
+ */
+export const breadthTravel = ({ cam }) => clean((cam.breadth ?? 0) - 2 * (cam.base_radius ?? 0));
+
+/**
+ * How far the program ends above where it should: the starting height, or the far side of a half turn. A cam that travels back
+ * the same way may end anywhere.
+ * @param {Readonly<Design>} design
+ */
+export function openHeight(design) {
+  if (design.cam.kind === "translating") return 0;
+  return clean(heightAt(design) - (design.cam.kind === "constant-breadth" ? breadthTravel(design) : 0));
+}
+
 /** @param {Segment} segment */
 const riseOf = (segment) => segment.rise ?? 0;
 
@@ -18,14 +43,17 @@ const riseOf = (segment) => segment.rise ?? 0;
  */
 const endOf = (start, segment) => statedEnd(segment) ?? start + riseOf(segment);
 
-/** @param {Design} design */
+/**
+ * What is left of the whole, degrees or length.
+ * @param {Readonly<Design>} design
+ */
 export function degreesLeft(design) {
-  return clean(TURN - design.segments.reduce((sum, segment) => sum + segment.beta, 0));
+  return clean(wholeOf(design) - design.segments.reduce((sum, segment) => sum + segment.beta, 0));
 }
 
 /**
  * Height above the base circle where segment `index` begins; without it, where the program ends.
- * @param {Design} design
+ * @param {Readonly<Design>} design
  */
 export function heightAt(design, index = design.segments.length) {
   return clean(design.segments.slice(0, index).reduce(endOf, 0));
@@ -56,7 +84,7 @@ export function fillWithDwell(draft) {
  */
 export function fillWithReturn(draft) {
   const model = draft.segments.findLast((segment) => riseOf(segment) !== 0);
-  draft.segments.push({ ...(model ?? { law: "cycloidal" }), beta: degreesLeft(draft), rise: -heightAt(draft) });
+  draft.segments.push({ ...(model ?? { law: "cycloidal" }), beta: degreesLeft(draft), rise: -openHeight(draft) });
 }
 
 /** @param {Design} draft */
@@ -75,12 +103,13 @@ export function stretchLast(draft) {
 }
 
 /**
- * Every angle in proportion, the last one taking the rounding.
+ * Every angle in proportion, in five figures of the whole, the last one taking the rounding.
  * @param {Design} draft
  */
 export function spread(draft) {
-  const factor = TURN / (TURN - degreesLeft(draft));
-  for (const segment of draft.segments) setBeta(segment, Math.round(segment.beta * factor * 100) / 100);
+  const parts = 10 ** (4 - Math.floor(Math.log10(wholeOf(draft))));
+  const factor = wholeOf(draft) / (wholeOf(draft) - degreesLeft(draft));
+  for (const segment of draft.segments) setBeta(segment, Math.round(segment.beta * factor * parts) / parts);
   stretchLast(draft);
 }
 
@@ -92,7 +121,7 @@ export function closeWithLastMove(draft) {
   const index = lastMove(draft);
   const last = draft.segments[index];
   if (!last) return;
-  const end = clean(heightAt(draft, index + 1) - heightAt(draft));
+  const end = clean(heightAt(draft, index + 1) - openHeight(draft));
   if (!setEnd(last, end)) last.rise = clean(end - heightAt(draft, index));
 }
 
@@ -111,7 +140,7 @@ export function insert(draft, index, neighbour) {
   const left = degreesLeft(draft);
   const giver = draft.segments[neighbour];
   if (left > 0 || !giver) {
-    draft.segments.splice(index, 0, dwell(left > 0 ? left : TURN));
+    draft.segments.splice(index, 0, dwell(left > 0 ? left : wholeOf(draft)));
     return;
   }
   const half = clean(giver.beta / 2);
@@ -176,7 +205,7 @@ export function changeLaw(draft, index, law) {
  * @param {number} index
  */
 function likelyRise(draft, index) {
-  const open = heightAt(draft);
+  const open = openHeight(draft);
   if (open !== 0) return -open;
   const here = heightAt(draft, index);
   return here > 0 ? -here : lift(draft) || 10;

@@ -5,11 +5,14 @@
  */
 import { h } from "./dom.js";
 import { mark } from "./help-mark.js";
-import { decimalsOf } from "./stage/clock.js";
+import { cycleOf, decimalsOf } from "./stage/clock.js";
 import { AT, instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
+import { inSight, letterOf, seesSecond, unitOfPlace } from "./stage/place.js";
 
 const SIGNIFICANT = 5;
+/** Derivatives by length are small numbers: a figure less leaves them room. */
+const SIGNIFICANT_TRAVEL = 4;
 const ANGLE_DIGITS = 2;
 const MOST_DIGITS = 9;
 /** Width of a letter of a unit, in figures. */
@@ -42,7 +45,7 @@ const motion = (key, letter, place, timed) => ({
 /** Place and time, motion, contact: a column each. @type {readonly (readonly Reading[])[]} */
 const GROUPS = [
   [
-    { name: "theta", letter: "θ", timed: "θ", place: -1, placeTimed: -1, token: "ink", size: () => 360, unit: () => "°" },
+    { name: "theta", letter: "θ", timed: "θ", place: -1, placeTimed: -1, token: "ink", size: ({ span }) => span, unit: unitOfPlace },
     { name: "t", letter: "t", timed: "t", place: AT.t, placeTimed: AT.t, token: "ink", size: ({ period }) => period, unit: () => "s" },
   ],
   [
@@ -54,9 +57,9 @@ const GROUPS = [
   [
     { name: "pressure_angle", letter: "φ", timed: "φ", place: AT.pressureAngle, placeTimed: AT.pressureAngle, token: "phi", size: () => 90, unit: () => "°" },
     // A radius of curvature goes to infinity: its decimals follow the cam's size, not its own.
-    { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism }) => mechanism.reach, unit: ({ units }) => units.length },
+    { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism, travels, span }) => (travels ? span : mechanism.reach), unit: ({ units }) => units.length },
     { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "q", size: largest("contact"), unit: ({ units }) => units.length },
-    { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, unit: ({ units }) => `${units.length}/rad` },
+    { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.sliding, token: "ink", size: ({ mechanism }) => mechanism.reach, unit: ({ units, travels }) => (travels ? "" : `${units.length}/rad`) },
   ],
 ];
 
@@ -81,18 +84,18 @@ export function mount(root, context) {
 
   let laid = "";
   const show = metered(() => {
-    const at = instant(context);
-    const { perSecond, cursor } = store.state;
+    const at = instant(context, seesSecond(store.state));
+    const { perSecond, cursor, report } = store.state;
     for (const { reading, output, digits, element } of cells) {
       if (element.hidden) continue;
       const place = perSecond ? reading.placeTimed : reading.place;
-      const text = place < 0 ? format.number(cursor, { digits: decimalsOf(store.state) }) : format.number(at[place], { digits });
+      const text = place < 0 ? format.number(cursor, { digits: decimalsOf(store.state, cycleOf(report)) }) : format.number(at[place], { digits });
       if (output.value !== text) output.value = text;
     }
   });
 
-  store.subscribe(["report", "perSecond", "language"], lay);
-  store.subscribe(["cursor", "playing", "report", "perSecond", "language"], show);
+  store.subscribe(["report", "perSecond", "language", "second"], lay);
+  store.subscribe(["cursor", "playing", "report", "perSecond", "language", "second"], show);
   if (/** @type {State["report"] | undefined} */ (store.state.report)) {
     lay();
     show();
@@ -100,9 +103,10 @@ export function mount(root, context) {
 
   /** Letters, units, and as many decimals as give the largest value of the turn four figures. */
   function lay() {
-    const { report, perSecond, language } = store.state;
+    const { perSecond, language } = store.state;
+    const report = inSight(store.state);
     const { units, mechanism } = report;
-    const next = [language, perSecond, mechanism.contact, units.s, units.length, ...cells.map(({ reading }) => `${digitsOf(reading, report, perSecond)}:${Math.floor(Math.log10(reading.size(report, perSecond) || 1))}`)].join();
+    const next = [language, perSecond, report.travels, mechanism.contact, units.s, units.length, ...cells.map(({ reading }) => `${digitsOf(reading, report, perSecond)}:${Math.floor(Math.log10(reading.size(report, perSecond) || 1))}`)].join();
     if (next === laid) return;
     laid = next;
     root.setAttribute("aria-label", t("readout.title"));
@@ -111,8 +115,9 @@ export function mount(root, context) {
     for (const cell of cells) {
       const { reading } = cell;
       cell.digits = digitsOf(reading, report, perSecond);
-      cell.letter.textContent = perSecond ? reading.timed : reading.letter;
-      const name = t(reading.name === "sliding" && report.mechanism.contact === "roller" ? "readout.rolling" : `readout.${reading.name}`);
+      const place = reading.place < 0;
+      cell.letter.textContent = place ? letterOf(report) : perSecond ? reading.timed : reading.letter;
+      const name = t(place && report.travels ? "readout.place" : reading.name === "sliding" && report.mechanism.contact === "roller" ? "readout.rolling" : `readout.${reading.name}`);
       cell.name.textContent = ` ${name}`;
       cell.element.title = name;
       cell.unit.textContent = reading.unit(report, perSecond);
@@ -134,5 +139,5 @@ export function mount(root, context) {
 function digitsOf(reading, report, perSecond) {
   const size = reading.size(report, perSecond);
   if (!(size > 0) || reading.unit(report, perSecond) === "°") return ANGLE_DIGITS;
-  return Math.min(Math.max(SIGNIFICANT - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
+  return Math.min(Math.max((report.travels ? SIGNIFICANT_TRAVEL : SIGNIFICANT) - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
 }

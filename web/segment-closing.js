@@ -6,7 +6,7 @@
  */
 import { h } from "./dom.js";
 import * as program from "./program.js";
-import { riseUnit } from "./segment-row.js";
+import { riseUnit, strideUnit } from "./segment-row.js";
 
 /**
  * @param {ShellContext} context
@@ -49,20 +49,21 @@ export function createClosing({ store, t, format }, texts, add) {
   function update() {
     const { design, error, language } = store.state;
     const left = program.degreesLeft(design);
-    const height = program.heightAt(design);
+    const height = program.openHeight(design);
+    const whole = format.number(program.wholeOf(design), { unit: strideUnit(design) });
     const own = error?.path === "segments" && left === 0 && height === 0 ? error.message : "";
-    const state = [left, height, riseUnit(design), language, own, program.canStretchLast(design)].join();
+    const state = [left, height, whole, riseUnit(design), language, own, program.canStretchLast(design)].join();
     if (state === shown) return;
     shown = state;
     fillReturn.hidden = !(left > 0 && height !== 0);
     fill.hidden = !(left > 0 && height === 0);
     stretch.hidden = !(left > 0);
     shorten.hidden = !(left < 0 && program.canStretchLast(design));
-    spread.hidden = left === 0 || left >= 360;
+    spread.hidden = left === 0 || left >= program.wholeOf(design);
     close.hidden = !(height !== 0 && left <= 0 && program.lastMove(design) >= 0);
     fixes.hidden = [...fixes.children].every((button) => button instanceof HTMLElement && button.hidden);
 
-    sum.textContent = sentence(left, height, riseUnit(design));
+    sum.textContent = sentence(left, height, design, whole);
     root.classList.toggle("open", left !== 0 || height !== 0);
     problem.hidden = own === "";
     problem.textContent = own;
@@ -71,15 +72,17 @@ export function createClosing({ store, t, format }, texts, add) {
   /**
    * @param {number} left
    * @param {number} height
-   * @param {string} unit
+   * @param {Readonly<Design>} design
+   * @param {string} whole
    */
-  function sentence(left, height, unit) {
+  function sentence(left, height, design, whole) {
+    const unit = riseUnit(design);
     const parts = [];
-    if (left > 0) parts.push(t("segments.left", { angle: format.number(left, { unit: "°" }) }));
-    if (left < 0) parts.push(t("segments.over", { angle: format.number(-left, { unit: "°" }) }));
+    if (left > 0) parts.push(t("segments.left", { angle: format.number(left, { unit: strideUnit(design) }), whole }));
+    if (left < 0) parts.push(t("segments.over", { angle: format.number(-left, { unit: strideUnit(design) }), whole }));
     if (height > 0) parts.push(t("segments.height.above", { height: format.number(height, { unit }) }));
     if (height < 0) parts.push(t("segments.height.below", { height: format.number(-height, { unit }) }));
-    return parts.length ? parts.join(" · ") : t("segments.closed");
+    return parts.length ? parts.join(" · ") : t(design.cam.kind === "translating" ? "segments.complete" : "segments.closed", { whole });
   }
 
   return { root, update };

@@ -12,6 +12,7 @@ import { setBeta } from "./free-data.js";
 import { createThumbnail } from "./law-thumbnail.js";
 import { createNumberField, lengthStep } from "./number-field.js";
 import { changeLaw, heightAt } from "./program.js";
+import { placeIn } from "./stage/place.js";
 
 let rows = 0;
 
@@ -44,14 +45,14 @@ export function createSegmentRow(context, actions) {
 
   const beta = createNumberField(context, {
     id: `${id}-beta`,
-    name: () => t("segments.beta.of", number()),
-    unit: () => "°",
+    name: () => t(strideUnit(store.state.design) === "°" ? "segments.beta.of" : "segments.stretch.of", number()),
+    unit: () => strideUnit(store.state.design),
     read: (design) => design.segments[index]?.beta,
     write: (draft, value) => {
       const segment = draft.segments[index];
       if (segment) setBeta(segment, value);
     },
-    step: () => 1,
+    step: (design) => (design.cam.kind === "translating" ? lengthStep(design) : 1),
     path: () => `segments[${index}].beta`,
     highlight: () => ({ segment: index }),
   });
@@ -75,7 +76,7 @@ export function createSegmentRow(context, actions) {
   more.addEventListener("click", () => actions.menu(row));
   grip.addEventListener("click", () => {
     const theta = store.state.report.borders[index];
-    if (theta !== undefined) store.set({ cursor: theta % 360 });
+    if (theta !== undefined) store.set({ cursor: placeIn(store.state.report, theta) });
   });
   grip.addEventListener("pointerdown", (event) => actions.grab(row, event));
   root.addEventListener("keydown", (event) => {
@@ -153,7 +154,7 @@ export function createSegmentRow(context, actions) {
     if (!segment) return;
     const from = design.segments.slice(0, index).reduce((sum, { beta: span }) => sum + span, 0);
     const wrong = error?.path.startsWith(`segments[${index}]`) ? error : null;
-    const state = JSON.stringify([index, segment, from, riseUnit(design), wrong, language]);
+    const state = JSON.stringify([index, segment, from, riseUnit(design), strideUnit(design), wrong, language]);
     if (state === shown) return;
     shown = state;
     const entry = catalogue.laws.find(({ id: known }) => known === segment.law);
@@ -165,7 +166,7 @@ export function createSegmentRow(context, actions) {
     lawSelect.value = segment.law;
     lawSelect.title = t(`law.${segment.law}`);
     thumbnail.draw(entry?.thumbnail ?? [], (segment.rise ?? 0) < 0);
-    const name = t("segments.grip", { ...number(), from: format.number(from, { unit: "°" }), to: format.number(from + segment.beta, { unit: "°" }) });
+    const name = t("segments.grip", { ...number(), from: format.number(from, { unit: strideUnit(design) }), to: format.number(from + segment.beta, { unit: strideUnit(design) }) });
     grip.setAttribute("aria-label", name);
     grip.title = name;
     for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.update(store.state);
@@ -217,6 +218,12 @@ export function createSegmentRow(context, actions) {
 function set(segment, key, value) {
   if (segment) segment[key] = value;
 }
+
+/**
+ * What β's are measured in.
+ * @param {Readonly<import("./types.d.ts").Design>} design
+ */
+export const strideUnit = ({ cam, length_unit }) => (cam.kind === "translating" ? length_unit : "°");
 
 /** @param {{ follower: { motion: string }, length_unit: string }} design */
 export function riseUnit({ follower, length_unit }) {

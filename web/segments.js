@@ -11,7 +11,7 @@ import { mark } from "./help-mark.js";
 import * as program from "./program.js";
 import { createClosing } from "./segment-closing.js";
 import { createSegmentMenu } from "./segment-menu.js";
-import { createSegmentRow, riseUnit } from "./segment-row.js";
+import { createSegmentRow, riseUnit, strideUnit } from "./segment-row.js";
 
 /**
  * @param {ShellContext} context
@@ -25,12 +25,13 @@ export function createSegments(context, texts) {
   let chosen = null;
 
   const list = h("ol", { class: "segments" });
+  const betaHead = h("span", { class: "unit" });
   const riseHead = h("span", { class: "unit" });
   const head = h(
     "div",
     { class: "segments-head" },
     h("span", { class: "law-head" }, texts.text(h("span", { id: "head-law" }), "segments.law"), mark("law", "head-law")),
-    ...column("beta", symbol("β"), " °"),
+    ...column("beta", symbol("β"), " ", betaHead),
     ...column("rise", symbol("L"), " ", riseHead),
   );
 
@@ -158,7 +159,7 @@ export function createSegments(context, texts) {
 
   function update() {
     const { design, error, language } = store.state;
-    const next = JSON.stringify([design.segments, riseUnit(design), error, language]);
+    const next = JSON.stringify([design.segments, design.cam, riseUnit(design), error, language]);
     if (next === shown) return;
     shown = next;
     while (rows.length > design.segments.length) rows.pop()?.root.remove();
@@ -168,7 +169,10 @@ export function createSegments(context, texts) {
       list.append(row.root);
     }
     rows.forEach((row, index) => row.update(index));
+    const ready = design.cam.kind === "constant-breadth" && design.cam.generator !== "mirror";
+    root.hidden = ready;
     riseHead.textContent = riseUnit(design);
+    betaHead.textContent = strideUnit(design);
     add.disabled = full();
     closing.update();
   }

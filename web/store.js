@@ -21,6 +21,7 @@ function initialView() {
     rate: 0.25,
     perSecond: false,
     tab: "svaj",
+    second: false,
     layers: { base: true, prime: true, pitch: true, axes: true, normal: true, osculating: false, stations: false },
     language: "en",
     theme: "system",
@@ -105,6 +106,8 @@ export function createStore() {
   function adopt(design) {
     const start = performance.now();
     if (editStart === 0) editStart = start;
+    // A motion that is ready-made has no segments to tell.
+    design.segments ??= [];
     state.design = design;
     changed.add("design");
     const opened = wiring ? wiring.analyse(design) : undefined;

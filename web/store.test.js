@@ -14,7 +14,7 @@ function bench() {
   const failures = [];
   store.connect({
     analyse: (design) =>
-      design.cam.base_radius > 0
+      (design.cam.base_radius ?? 0) > 0
         ? { report: /** @type {Report} */ (/** @type {unknown} */ ({ link: `1.${design.cam.base_radius}` })) }
         : { error: { path: "cam.base_radius", message: "must be positive" } },
     failed: (error) => failures.push(error),

@@ -5,8 +5,9 @@
  */
 import { h, write } from "./dom.js";
 import { parseNumber } from "./numbers.js";
-import { WHEEL, decimalsOf, positionOf, rateAt, stepped, stride, turned, wrap } from "./stage/clock.js";
+import { WHEEL, bounced, cycleOf, decimalsOf, inside, positionOf, rateAt, stepped, stride, turned } from "./stage/clock.js";
 import { closeFrame, metered } from "./stage/meter.js";
+import { letterOf, placeText, unitOfPlace } from "./stage/place.js";
 
 /** Turns per second when nothing else is known. */
 const CALM = 0.25;
@@ -18,8 +19,8 @@ const CALM = 0.25;
 export function mount(root, { store, t, format }) {
   const play = h("button", { type: "button", class: "transport-play", onclick: toggle });
   const reverse = h("button", { type: "button", class: "transport-reverse", onclick: () => turnAt(-(store.state.rate || lastRate)) }, "⇄");
-  const back = h("button", { type: "button", class: "transport-step", onclick: (/** @type {MouseEvent} */ event) => step(-stride(event)) });
-  const forth = h("button", { type: "button", class: "transport-step", onclick: (/** @type {MouseEvent} */ event) => step(stride(event)) });
+  const back = h("button", { type: "button", class: "transport-step", onclick: (/** @type {MouseEvent} */ event) => step(-stride(event, cycle)) });
+  const forth = h("button", { type: "button", class: "transport-step", onclick: (/** @type {MouseEvent} */ event) => step(stride(event, cycle)) });
   const scrub = h("input", { type: "range", id: "transport-scrub", class: "transport-scrub", min: "0", max: "360", step: "0.1" });
   const ticks = h("div", { class: "transport-ticks", "aria-hidden": "true" });
   const angle = h("input", { type: "text", id: "transport-angle", class: "transport-angle", inputmode: "decimal", autocomplete: "off", spellcheck: "false" });
@@ -32,6 +33,9 @@ export function mount(root, { store, t, format }) {
     h("div", { class: "transport-row transport-rate" }, reverse, wheelLabel, h("span", { class: "transport-wheel-track" }, wheel), pace),
   );
 
+  let cycle = cycleOf({ span: 360, travels: false });
+  /** Which way a cam that travels goes. */
+  let way = 1;
   let lastRate = CALM;
   let ticked = "";
   let before = NaN;
@@ -41,7 +45,13 @@ export function mount(root, { store, t, format }) {
 
   const advance = metered((/** @type {number} */ now) => {
     if (!Number.isNaN(before)) {
-      patch.cursor = turned(store.state.cursor, store.state.rate, (now - before) / 1000);
+      const { cursor, rate } = store.state;
+      const seconds = (now - before) / 1000;
+      if (cycle.travels) {
+        const next = bounced(cycle, cursor, way * rate, seconds);
+        if (next.back) way = -way;
+        patch.cursor = next.cursor;
+      } else patch.cursor = turned(cursor, rate, seconds);
       store.set(patch);
     }
     before = now;
@@ -81,16 +91,16 @@ export function mount(root, { store, t, format }) {
     store.set({ rate, playing: rate !== 0 });
   }
 
-  /** @param {number} degrees */
-  function step(degrees) {
-    store.set({ cursor: stepped(store.state.cursor, degrees), playing: false });
+  /** @param {number} by */
+  function step(by) {
+    store.set({ cursor: stepped(store.state.cursor, by, cycle), playing: false });
   }
 
-  scrub.addEventListener("input", () => store.set({ cursor: wrap(Number(scrub.value)), playing: false }));
+  scrub.addEventListener("input", () => store.set({ cursor: inside(cycle, Number(scrub.value)), playing: false }));
   scrub.addEventListener("keydown", (event) => {
     const by = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
     if (by === undefined || event.ctrlKey || event.metaKey) return;
-    step(by * stride(event));
+    step(by * stride(event, cycle));
     event.preventDefault();
   });
   wheel.addEventListener("input", () => turnAt(rateAt(Number(wheel.value))));
@@ -101,15 +111,15 @@ export function mount(root, { store, t, format }) {
     angle.select();
   });
   angle.addEventListener("change", () => {
-    const { value } = parseNumber(angle.value, "°");
-    if (value !== undefined) store.set({ cursor: wrap(value), playing: false });
+    const { value } = parseNumber(angle.value, unitOfPlace(store.state.report));
+    if (value !== undefined) store.set({ cursor: inside(cycle, value), playing: false });
     showAngle(true);
   });
   angle.addEventListener("keydown", (event) => {
     const by = { ArrowDown: -1, ArrowUp: 1 }[event.key];
     if (event.key === "Escape") showAngle(true);
     else if (by !== undefined) {
-      step(by * stride(event));
+      step(by * stride(event, cycle));
       showAngle(true);
     } else return;
     event.preventDefault();
@@ -118,14 +128,14 @@ export function mount(root, { store, t, format }) {
   /** @param {boolean} [always]  also while the field is being typed in */
   function showAngle(always = false) {
     if (!always && document.activeElement === angle) return;
-    angle.value = format.angle(store.state.cursor, decimalsOf(store.state));
+    angle.value = placeText(format, store.state.report, store.state.cursor, decimalsOf(store.state, cycle));
   }
 
   const show = metered(() => {
     const { cursor } = store.state;
     scrub.value = String(cursor);
     showAngle();
-    if (!store.state.playing) scrub.setAttribute("aria-valuetext", format.angle(cursor));
+    if (!store.state.playing) scrub.setAttribute("aria-valuetext", placeText(format, store.state.report, cursor, decimalsOf(store.state, cycle)));
   });
 
   store.subscribe(["cursor", "language"], show);
@@ -136,40 +146,58 @@ export function mount(root, { store, t, format }) {
     run();
   });
   store.subscribe(["rate", "language", "report"], showPace);
-  store.subscribe(["report"], showTicks);
+  store.subscribe(["report"], () => {
+    adoptCycle();
+    showTicks();
+  });
   store.subscribe(["highlight"], lightTicks);
   store.subscribe(["language"], word);
   word();
   play.textContent = t(store.state.playing ? "transport.pause" : "transport.play");
   play.dataset["state"] = store.state.playing ? "playing" : "paused";
   if (/** @type {State["report"] | undefined} */ (store.state.report)) {
+    adoptCycle();
     showPace();
     showTicks();
     show();
   }
   run();
 
+  /** Another kind of cam: what the cursor runs through changes, and the cursor keeps its place in it. */
+  function adoptCycle() {
+    const { report, cursor } = store.state;
+    if (report.span === cycle.span && report.travels === cycle.travels) return;
+    const next = cycleOf(report);
+    const place = inside(next, report.travels === cycle.travels ? cursor : (cursor / cycle.span) * next.span);
+    cycle = next;
+    scrub.max = String(cycle.span);
+    scrub.step = String(cycle.unit / 10);
+    root.classList.toggle("travels", cycle.travels);
+    if (place !== cursor) store.set({ cursor: place });
+    word();
+  }
+
   function showPace() {
     const { rate, report } = store.state;
     if (Number(wheel.value) === 0 || rateAt(Number(wheel.value)) !== rate) wheel.value = String(positionOf(rate));
     if (rate !== 0) lastRate = rate;
     const real = format.quantity(report.period, { trim: true, unit: "s" });
-    const shown = rate === 0 ? t("transport.stopped", { real }) : t("transport.pace", { shown: format.quantity(1 / Math.abs(rate), { trim: true, unit: "s" }), real });
+    const shown = rate === 0 ? t(report.travels ? "transport.stopped.travel" : "transport.stopped", { real }) : t(report.travels ? "transport.pace.travel" : "transport.pace", { shown: format.quantity(1 / Math.abs(rate), { trim: true, unit: "s" }), real });
     write(pace, shown);
     wheel.setAttribute("aria-valuetext", rate < 0 ? `${shown}, ${t("transport.backwards")}` : shown);
     reverse.setAttribute("aria-pressed", String(rate < 0));
   }
 
   function showTicks() {
-    const { borders } = store.state.report;
+    const { borders, span } = store.state.report;
     if (ticked === borders.join()) return;
     ticked = borders.join();
     ticks.replaceChildren(
       ...borders.slice(1).map((to, i) => {
         const from = borders[i] ?? 0;
         const bar = h("span", { class: "transport-stretch" });
-        bar.style.left = `${from / 3.6}%`;
-        bar.style.width = `${(to - from) / 3.6}%`;
+        bar.style.left = `${(from / span) * 100}%`;
+        bar.style.width = `${((to - from) / span) * 100}%`;
         return bar;
       }),
     );
@@ -183,14 +211,16 @@ export function mount(root, { store, t, format }) {
 
   function word() {
     root.setAttribute("aria-label", t("transport.title"));
-    back.textContent = "−1°";
-    forth.textContent = "+1°";
-    back.setAttribute("aria-label", t("transport.back"));
-    forth.setAttribute("aria-label", t("transport.forth"));
+    const report = /** @type {State["report"] | undefined} */ (store.state.report);
+    const unit = report ? `${format.number(cycle.unit)}${cycle.travels ? `\u00a0${report.units.length}` : "°"}` : "1°";
+    back.textContent = `−${unit}`;
+    forth.textContent = `+${unit}`;
+    back.setAttribute("aria-label", cycle.travels ? t("transport.back.travel", { unit }) : t("transport.back"));
+    forth.setAttribute("aria-label", cycle.travels ? t("transport.forth.travel", { unit }) : t("transport.forth"));
     reverse.setAttribute("aria-label", t("transport.reverse"));
     reverse.title = t("transport.reverse");
-    scrub.setAttribute("aria-label", t("transport.scrub"));
-    angleLabel.replaceChildren(h("i", { class: "symbol" }, "θ"), h("span", { class: "unseen" }, ` ${t("transport.angle")}`));
+    scrub.setAttribute("aria-label", t(cycle.travels ? "transport.scrub.travel" : "transport.scrub"));
+    angleLabel.replaceChildren(h("i", { class: "symbol" }, report ? letterOf(report) : "θ"), h("span", { class: "unseen" }, ` ${t(cycle.travels ? "transport.place" : "transport.angle")}`));
     wheelLabel.textContent = t("transport.speed");
   }
 }

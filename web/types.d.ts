@@ -4,7 +4,10 @@ export type Language = "en" | "es";
 /** A span is a part of β, in its unit; its default is a part of 1. */
 export type Quantity = "length" | "angle" | "ratio" | "span";
 export type Diagram = "s" | "v" | "a" | "j" | "pressure_angle" | "rho" | "contact";
-export type ColumnName = "theta" | Diagram | "rho_pitch" | "x" | "y" | "pitch_x" | "pitch_y";
+export type ColumnName = "theta" | Diagram | "rho_pitch" | "x" | "y" | "pitch_x" | "pitch_y" | "outer_x" | "outer_y";
+export type KindId = "rotating" | "grooved" | "constant-breadth" | "translating";
+export type Generator = "harmonic" | "circular-arc" | "mirror";
+export type TieKey = "distance" | "angle" | "base_radius";
 
 export interface Parameter {
   key: string;
@@ -58,6 +61,11 @@ export interface Example {
 export interface Catalogue {
   laws: LawEntry[];
   followers: FollowerEntry[];
+  /** Kinds of cam, each with the followers that have a place on it. */
+  kinds: { id: KindId; followers: string[] }[];
+  generators: Generator[];
+  /** Polygons of arcs, with the least base radius (sharp corners) for a breadth of 1. */
+  polygons: { sides: number; least: number }[];
   length_units: string[];
   speed_units: string[];
   /** The design that the page opens with. */
@@ -86,9 +94,30 @@ export interface Design {
   title: string;
   length_unit: string;
   speed: { value: number; unit: string };
-  cam: { kind: "rotating"; rotation: Rotation; base_radius: number };
+  cam: CamDesign;
   follower: Follower;
+  /** The second cam: tied by one of the three, with the radius of its own disc. */
+  conjugate?: Partial<Record<TieKey | "roller_radius" | "face_radius", number>>;
+  /** Empty when the motion is ready-made. */
   segments: Segment[];
+}
+
+export interface CamDesign {
+  kind: KindId;
+  rotation?: Rotation;
+  /** None for a cam that travels. */
+  base_radius?: number;
+  breadth?: number;
+  generator?: Generator;
+  sides?: number;
+  length?: number;
+}
+
+/** A good tie for a second cam, and between which values it has its place; no greatest for a distance. */
+export interface Room {
+  value: number;
+  least: number;
+  most: number | null;
 }
 
 export type Rotation = "counterclockwise" | "clockwise";
@@ -150,8 +179,10 @@ export interface Cure {
 }
 
 export interface Finding {
+  /** Which cam of a pair, 1 or 2. */
+  cam: number | null;
   code: string;
-  severity: "low-speed" | "unacceptable";
+  severity: Level;
   theta: number;
   interval: [number, number] | null;
   places: number[];
@@ -165,14 +196,21 @@ export type Level = "acceptable" | "low-speed" | "unacceptable";
 export interface Report {
   /** The fragment without `#`; empty when the design is too long for a link. */
   link: string;
-  verdict: { level: Level; headline: string; findings: Finding[] };
-  summary: Partial<Record<Diagram | "V" | "A" | "J" | "rho_pitch", Range>>;
+  kind: KindId;
+  /** What the cursor runs through: 360°, or the length of a cam that travels. */
+  span: number;
+  travels: boolean;
+  /** On both cams of a pair; `cam` is whose headline it is. */
+  verdict: { level: Level; headline: string; cam: number | null; findings: Finding[] };
+  summary: Partial<Record<Diagram | "V" | "A" | "J" | "rho_pitch" | "breadth", Range>>;
   /** The sharpest convex place of the profile; null where nothing is convex. */
   least_convex: { value: number; at: number } | null;
   /** The tightest hollow, as a negative ρ; null where nothing is hollow. */
   tightest_hollow: { value: number; at: number } | null;
   joints: { theta: number; segment: number; jump: "s" | "v" | "a" | "j" | null }[];
   borders: number[];
+  /** The segments of a motion that is ready-made. */
+  program: { law: string; beta: number; rise: number }[] | null;
   omega: number;
   period: number;
   /** Largest pressure angle that the follower tolerates, in degrees. */
@@ -196,6 +234,10 @@ export interface Report {
     top: number;
   };
   units: { s: string; v: string; a: string; j: string; V: string; A: string; J: string; length: string };
+  /** The second cam of a pair, in the frame of the first. */
+  conjugate: Report | null;
+  /** Angle between the arms of a pair that swings, degrees. */
+  pair_angle: number | null;
 }
 
 export type Opened = { report: Report; error?: undefined } | { error: DesignError; report?: undefined };
@@ -204,14 +246,14 @@ export type Read = { design: Design; error?: undefined } | { error: DesignError;
 /** The engine's one object: the current cam. */
 export interface Lab {
   open(design: Design, samples: number, language: Language): Opened;
-  /** What would cure each finding of the current cam, in their order. Slower than an analysis: for when the hand rests. */
+  /** What would cure each finding of the current cam, and of the second one, in their order. Slower than an analysis: for when the hand rests. */
   cures(language: Language): Cure[][];
-  column(name: ColumnName): Float64Array;
-  at(theta: number, out: Float64Array): void;
+  column(name: ColumnName, second?: boolean): Float64Array;
+  at(theta: number, out: Float64Array, second?: boolean): void;
   /** s, v, a, j before and after border `border` (0 is θ = 0): eight numbers, per radian; none without a cam. */
   limits(border: number): Float64Array;
-  draw(canvas: HTMLCanvasElement, diagram: Diagram, style: ChartStyle): PlotArea;
-  svg(diagram: Diagram, style: ChartStyle): string;
+  draw(canvas: HTMLCanvasElement, diagram: Diagram, style: ChartStyle, second?: boolean): PlotArea;
+  svg(diagram: Diagram, style: ChartStyle, second?: boolean): string;
   /** Draws this cam alone from now on. */
   alone(): void;
   /** Draws the cam of another laboratory behind this one's from now on. */
@@ -223,7 +265,7 @@ export interface Lab {
   /** The current design with one law for every segment that moves. */
   by_law(place: number): Design;
   /** Left and right end of the face that the contact needs with a margin at each end, and its length; empty without a face. */
-  face(margin: number): Float64Array;
+  face(margin: number, second?: boolean): Float64Array;
 }
 
 /** What lights up in the mechanism, the diagrams and the help drawing. */
@@ -244,13 +286,15 @@ export interface State {
   report: Report;
   error: DesignError | null;
   stale: boolean;
-  /** Cam angle in degrees, 0 ≤ cursor < 360. */
+  /** Cam angle in degrees, 0 ≤ cursor < 360; of a cam that travels the place, 0 ≤ cursor ≤ its length. */
   cursor: number;
   playing: boolean;
   /** Turns of the animation per second, signed; 0 is a stop. */
   rate: number;
   perSecond: boolean;
   tab: Tab;
+  /** Whether diagrams and readings are those of the second cam, when there is one. */
+  second: boolean;
   layers: Record<string, boolean>;
   language: Language;
   theme: Theme;
@@ -319,6 +363,8 @@ export interface Context {
 export interface ShellContext extends Context {
   store: Store & Keeper;
   catalogue: Catalogue;
+  /** The room that a design leaves for a second cam, tied in one of the ways that its follower allows. */
+  room: (design: Readonly<Design>, key: TieKey) => Room | null;
   /** Says a sentence to screen readers, politely. */
   announce: (sentence: string) => void;
   banner: Banner;

@@ -79,7 +79,7 @@ export function mount(root, context) {
       sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
       sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
     }
-    const [lead, rest] = error ? [t("verdict.stopped"), obstacle(error)] : parted(report.verdict.headline);
+    const [lead, rest] = error ? [t("verdict.stopped"), obstacle(error)] : parted(report.verdict.headline, report.verdict.cam);
     write(word, lead);
     write(headline, rest);
     show(error ? [] : report.verdict.findings);
@@ -143,10 +143,24 @@ export function mount(root, context) {
     }, said === "" ? 0 : QUIET);
   }
 
+  /**
+   * A headline's judgement, up to its colon, and its reason, with the cam of a pair that it is about.
+   * @param {string} headline
+   * @param {number | null} cam
+   * @returns {[string, string]}
+   */
+  function parted(headline, cam) {
+    const end = headline.indexOf(":") + 1;
+    if (end === 0) return [headline, ""];
+    const reason = headline.slice(end).trim();
+    return [headline.slice(0, end), cam === null ? reason : t("verdict.cam", { number: cam, text: reason })];
+  }
+
   word.tabIndex = -1;
   figures.speak();
   update();
   store.subscribe(["report", "error"], update);
+  store.subscribe(["second"], figures.update);
   store.subscribe(["language"], () => {
     texts.refresh();
     figures.speak();
@@ -154,12 +168,3 @@ export function mount(root, context) {
   });
 }
 
-/**
- * A headline's judgement, up to its colon, and its reason.
- * @param {string} headline
- * @returns {[string, string]}
- */
-function parted(headline) {
-  const end = headline.indexOf(":") + 1;
-  return end > 0 ? [headline.slice(0, end), headline.slice(end).trim()] : [headline, ""];
-}

@@ -206,14 +206,14 @@ test("what is left of 360° is told and filled in a click", async (t) => {
   await beta(page, 1).fill("37.5");
   await becomes(() => level(page), "stopped");
   const said = () => programSays(page).innerText();
-  await becomes(said, new RegExp(literal(en("segments.left", { angle: "12.5°" }))));
+  await becomes(said, new RegExp(literal(en("segments.left", { angle: "12.5°", whole: "360°" }))));
   await programSays(page).getByRole("button", { name: en("segments.fill"), exact: true }).click();
   await becomes(() => program(page), ["modified-sine 37.5 10", ...NINE.slice(1), "dwell 12.5 0"]);
-  await becomes(said, new RegExp(literal(en("segments.closed"))));
+  await becomes(said, new RegExp(literal(en("segments.closed", { whole: "360°" }))));
   await becomes(() => level(page), "low-speed");
 
   await beta(page, 9).fill("20");
-  await becomes(said, new RegExp(literal(en("segments.over", { angle: "7.5°" }))));
+  await becomes(said, new RegExp(literal(en("segments.over", { angle: "7.5°", whole: "360°" }))));
   await programSays(page).getByRole("button", { name: en("segments.shorten"), exact: true }).click();
   await becomes(async () => (await program(page))[8], "dwell 12.5 0");
   await becomes(() => level(page), "low-speed");

@@ -14,6 +14,8 @@ import { helpEn } from "../../web/strings/help.en.js";
 import { helpEs } from "../../web/strings/help.es.js";
 import { parametersEn } from "../../web/strings/parameters.en.js";
 import { parametersEs } from "../../web/strings/parameters.es.js";
+import { kindsEn } from "../../web/strings/kinds.en.js";
+import { kindsEs } from "../../web/strings/kinds.es.js";
 import { stageEn } from "../../web/strings/stage.en.js";
 import { stageEs } from "../../web/strings/stage.es.js";
 import { openPage } from "./harness.js";
@@ -24,7 +26,7 @@ import { openPage } from "./harness.js";
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...parametersEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...parametersEs } };
+const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs } };
 addStrings(onDemand);
 export const en = words("en", { ...enShell, ...stageEn, ...onDemand.en });
 export const es = words("es", { ...esShell, ...stageEs, ...onDemand.es });

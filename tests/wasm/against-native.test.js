@@ -21,6 +21,36 @@ initSync({ module: readFileSync(module) });
 const examples = readdirSync(path.join(root, "examples")).filter((name) => name.endsWith(".lev.json"));
 assert(examples.length > 0, "no examples");
 
+/** Kinds of cam and pairs, which no example may be. */
+const LIFT = [{ law: "polynomial-4-5-6-7", beta: 110, rise: 9 }, { law: "dwell", beta: 40 }, { law: "cycloidal", beta: 140, rise: -9 }, { law: "dwell", beta: 70 }];
+const ROLLER = { motion: "translating", contact: "roller", roller_radius: 8 };
+const KINDS = {
+  "roller pair": { cam: { kind: "rotating", base_radius: 50 }, follower: { ...ROLLER, eccentricity: 5 }, conjugate: { distance: 130, roller_radius: 6 }, segments: LIFT },
+  "swinging pair": { cam: { kind: "rotating", base_radius: 80 }, follower: { motion: "oscillating", contact: "flat", face_offset: 8, pivot_distance: 150 }, conjugate: { angle: 85 }, segments: LIFT },
+  "constant breadth": { cam: { kind: "constant-breadth", base_radius: 48, breadth: 100, generator: "circular-arc", sides: 5 }, follower: { motion: "translating", contact: "flat" } },
+  groove: { cam: { kind: "grooved", base_radius: 50 }, follower: ROLLER, segments: LIFT },
+  wedge: { cam: { kind: "translating", length: 200 }, speed: { value: 30, unit: "mm/s" }, follower: ROLLER, segments: [{ law: "cycloidal", beta: 120, rise: 20 }, { law: "dwell", beta: 80 }] },
+};
+
+for (const [name, part] of Object.entries(KINDS)) {
+  test(`${name}: every column agrees, those of a second cam too`, () => {
+    const design = { format: "levalab/1", title: "", ...part };
+    const json = execFileSync(/** @type {string} */ (cli), ["analyze", "-", "--samples", String(SAMPLES), "--json"], { input: JSON.stringify(design), encoding: "utf8", maxBuffer: 1e8 });
+    const native = JSON.parse(json);
+    const lab = new Lab();
+    const opened = lab.open(/** @type {any} */ (design), SAMPLES, "en");
+    assert(!("error" in opened), JSON.stringify(opened));
+    assert.equal(opened.report.conjugate === null, native.conjugate === undefined);
+    for (const second of native.conjugate ? [false, true] : [false]) {
+      const { columns, verdict } = second ? native.conjugate : native;
+      for (const [column, expected] of Object.entries(columns)) compare(column, lab.column(/** @type {any} */ (column), second), /** @type {any} */ (expected));
+      /** @type {import("../../web/types.d.ts").Report | null} */
+      const report = second ? opened.report.conjugate : opened.report;
+      assert.deepEqual(report?.verdict.findings.filter(({ cam }) => cam !== (second ? 1 : 2)).map(({ message }) => message), verdict.findings.map((/** @type {any} */ { message }) => message));
+    }
+  });
+}
+
 for (const example of examples) {
   test(`${example}: every column agrees`, () => {
     const file = path.join(root, "examples", example);

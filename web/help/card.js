@@ -84,11 +84,10 @@ function dress({ store, catalogue, t }, entry, term) {
     link.rel = "noopener";
   }
   const follower = followerEntry(catalogue.followers, store.state.design.follower);
-  const own = follower && (term === "base_radius" || follower.parameters.some(({ key }) => key === term));
+  const own = follower && (["base_radius", "breadth", "length"].includes(term) || follower.parameters.some(({ key }) => key === term));
   if (follower && own) {
     const drawing = createHelpDrawing({ pick() {}, point() {} });
-    drawing.show(follower, t(`follower.${follower.id}`));
-    drawing.light(term);
+    void drawing.show(follower, t(`follower.${follower.id}`), store.state.design.cam.kind).then(() => drawing.light(term));
     article.querySelector(".drawing")?.replaceChildren(drawing.root);
   }
   return article;

@@ -14,6 +14,7 @@ const KEY = 0.11;
  * @typedef {object} Cam
  * @property {Float64Array} x  profile, even steps of θ
  * @property {Float64Array} y
+ * @property {number} span  what its points cover: 360°, or a length
  * @property {Path2D} profile
  * @property {Path2D | null} pitch    the trace point's way around the cam
  * @property {Float64Array | null} rolled  turn of the roller on its pin at even steps of θ, rad
@@ -25,14 +26,15 @@ const KEY = 0.11;
 /**
  * @param {Report} report
  * @param {Lab} lab
+ * @param {boolean} [second]  the second cam of a pair
  * @returns {Cam}
  */
-export function buildCam(report, lab) {
-  const { mechanism } = report;
-  const x = lab.column("x");
-  const y = lab.column("y");
-  const pitchX = lab.column("pitch_x");
-  const pitchY = lab.column("pitch_y");
+export function buildCam(report, lab, second = false) {
+  const { mechanism, travels, span } = report;
+  const x = lab.column("x", second);
+  const y = lab.column("y", second);
+  const pitchX = lab.column("pitch_x", second);
+  const pitchY = lab.column("pitch_y", second);
   const hasPitch = pitchX.length > 1;
   const profile = along(new Path2D(), x, y, 0, x.length - 1);
   profile.closePath();
@@ -41,9 +43,10 @@ export function buildCam(report, lab) {
   return {
     x,
     y,
+    span,
     profile,
     pitch,
-    rolled: rolls ? rolling(pitchX, pitchY, mechanism.roller_radius, mechanism.sense) : null,
+    rolled: rolls ? rolling(pitchX, pitchY, mechanism.roller_radius, mechanism.sense, travels ? 0 : 2 * Math.PI) : null,
     hub: ring(HUB * mechanism.base_radius),
     bore: bore(mechanism.base_radius),
     mark: mark(x[0] ?? 0, y[0] ?? 0, mechanism.base_radius),
@@ -57,7 +60,7 @@ export function buildCam(report, lab) {
  * @param {number} first
  * @param {number} last
  */
-function along(path, x, y, first, last) {
+export function along(path, x, y, first, last) {
   for (let i = first; i <= last; i++) {
     const px = /** @type {number} */ (x[i]);
     const py = /** @type {number} */ (y[i]);
@@ -110,10 +113,11 @@ function mark(x, y, base) {
  * @param {Float64Array} y
  * @param {number} radius
  * @param {number} sense
+ * @param {number} turn  of the cam itself, rad
  */
-function rolling(x, y, radius, sense) {
+function rolling(x, y, radius, sense, turn) {
   const turns = new Float64Array(x.length);
-  const step = (2 * Math.PI) / (x.length - 1);
+  const step = turn / (x.length - 1);
   for (let i = 1; i < x.length; i++) {
     const way = Math.hypot(/** @type {number} */ (x[i]) - /** @type {number} */ (x[i - 1]), /** @type {number} */ (y[i]) - /** @type {number} */ (y[i - 1]));
     turns[i] = /** @type {number} */ (turns[i - 1]) + sense * (step - way / radius);
@@ -124,10 +128,11 @@ function rolling(x, y, radius, sense) {
 /**
  * Value of a column of even steps at θ, between its two neighbours.
  * @param {Float64Array} column
- * @param {number} theta  0 … 360
+ * @param {number} theta  0 … span
+ * @param {number} [span]
  */
-export function between(column, theta) {
-  const place = (theta / 360) * (column.length - 1);
+export function between(column, theta, span = 360) {
+  const place = (theta / span) * (column.length - 1);
   const i = Math.min(Math.floor(place), column.length - 2);
   const before = /** @type {number} */ (column[i]);
   return before + (/** @type {number} */ (column[i + 1]) - before) * (place - i);
@@ -142,24 +147,25 @@ export function between(column, theta) {
 export function stretch(cam, from, to) {
   const path = new Path2D();
   const last = cam.x.length - 1;
-  const degrees = 360 / last;
-  const end = to >= from ? to : to + 360;
-  path.moveTo(between(cam.x, from % 360), between(cam.y, from % 360));
+  const { span } = cam;
+  const degrees = span / last;
+  const end = to >= from ? to : to + span;
+  path.moveTo(between(cam.x, from % span, span), between(cam.y, from % span, span));
   for (let i = Math.floor(from / degrees) + 1; i * degrees < end; i++) {
     path.lineTo(/** @type {number} */ (cam.x[i % last]), /** @type {number} */ (cam.y[i % last]));
   }
-  path.lineTo(between(cam.x, end % 360 || (end > 0 ? 360 : 0)), between(cam.y, end % 360 || (end > 0 ? 360 : 0)));
+  const stop = end % span || (end > 0 ? span : 0);
+  path.lineTo(between(cam.x, stop, span), between(cam.y, stop, span));
   return path;
 }
 
 /**
+ * The cam in its own frame, where the pen has been put.
  * @param {Pen} pen
  * @param {Cam} cam
- * @param {number} angle  rad
  */
-export function drawCam(pen, cam, angle) {
+export function drawCam(pen, cam) {
   const { context, palette } = pen;
-  pen.world(0, 0, angle);
   context.lineJoin = "round";
   context.fillStyle = palette.cam;
   context.fill(cam.profile);

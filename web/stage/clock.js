@@ -2,6 +2,34 @@
 
 const TURN = 360;
 
+/**
+ * What the cursor runs through: a turn, in degrees, or the travel of a cam that goes back and forth, in its unit of length.
+ * @typedef {object} Cycle
+ * @property {number} span
+ * @property {boolean} travels
+ * @property {number} unit   the usual step
+ */
+
+/** @type {Readonly<Cycle>} */
+const FULL_TURN = Object.freeze({ span: TURN, travels: false, unit: 1 });
+
+/** Steps of a travel are the power of ten that goes so many times into it. */
+const STEPS = 40;
+
+/**
+ * @param {{ span: number, travels: boolean }} report
+ * @returns {Readonly<Cycle>}
+ */
+export const cycleOf = ({ span, travels }) => (travels ? { span, travels, unit: 10 ** Math.floor(Math.log10(span / STEPS)) } : FULL_TURN);
+
+/**
+ * A place, kept within the travel or brought into the turn.
+ * @param {Readonly<Cycle>} cycle
+ * @param {number} place
+ */
+export const inside = (cycle, place) => (cycle.travels ? Math.min(Math.max(place, 0), cycle.span) : wrap(place));
+
+
 /** Turns per second at the two ends of the hand wheel's travel: one turn a minute, and two a second. */
 export const SLOWEST = 1 / 60;
 export const FASTEST = 2;
@@ -34,17 +62,32 @@ export function wrap(theta) {
 export const turned = (cursor, rate, seconds) => wrap(cursor + rate * TURN * Math.min(Math.max(seconds, 0), LONGEST_FRAME));
 
 /**
+ * Where a cursor that goes back and forth is after so many seconds, and which way it goes then.
+ * @param {Readonly<Cycle>} cycle
+ * @param {number} cursor
+ * @param {number} rate  travels per second, with the sign of its way
+ * @param {number} seconds
+ * @returns {{ cursor: number, back: boolean }}  `back` when it has turned round at an end
+ */
+export function bounced({ span }, cursor, rate, seconds) {
+  const moved = cursor + rate * span * Math.min(Math.max(seconds, 0), LONGEST_FRAME);
+  const lap = ((moved % (2 * span)) + 2 * span) % (2 * span);
+  return { cursor: Math.min(lap, 2 * span - lap), back: moved < 0 || moved > span };
+}
+
+/**
  * The next whole multiple of |step| in its direction.
  * @param {number} cursor
- * @param {number} step  degrees, signed
+ * @param {number} step  degrees or length, signed
+ * @param {Readonly<Cycle>} [cycle]
  */
-export function stepped(cursor, step) {
+export function stepped(cursor, step, cycle = FULL_TURN) {
   const size = Math.abs(step);
   const steps = cursor / size;
   const nearest = Math.round(steps);
   const next = Math.abs(steps - nearest) < ON_STEP ? nearest + Math.sign(step) : step > 0 ? Math.ceil(steps) : Math.floor(steps);
   // Tenths are divided, not multiplied: 3 × 0.1 would show as 0.30000000000000004.
-  return wrap(size < 1 ? next / Math.round(1 / size) : next * size);
+  return inside(cycle, size < 1 ? next / Math.round(1 / size) : next * size);
 }
 
 /**
@@ -64,50 +107,56 @@ export function positionOf(rate) {
 }
 
 /**
- * How far a key moves the cursor: 1°, with Shift 10°, with Alt 0.1°.
+ * How far a key moves the cursor: 1°, with Shift 10°, with Alt 0.1°; the like of a length.
  * @param {{ shiftKey: boolean, altKey: boolean }} event
+ * @param {Readonly<Cycle>} [cycle]
  */
-export const stride = (event) => (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+export const stride = (event, { unit } = FULL_TURN) => (event.shiftKey ? 10 * unit : event.altKey ? unit / 10 : unit);
 
 /**
  * The cursor after a key, or null when the key is not one of its own.
  * @param {number} cursor
  * @param {{ key: string, shiftKey: boolean, altKey: boolean }} event
+ * @param {Readonly<Cycle>} [cycle]
  */
-export function afterKey(cursor, event) {
+export function afterKey(cursor, event, cycle = FULL_TURN) {
   switch (event.key) {
     case "ArrowLeft":
     case "ArrowDown":
-      return stepped(cursor, -stride(event));
+      return stepped(cursor, -stride(event, cycle), cycle);
     case "ArrowRight":
     case "ArrowUp":
-      return stepped(cursor, stride(event));
+      return stepped(cursor, stride(event, cycle), cycle);
     case "PageDown":
-      return stepped(cursor, -10);
+      return stepped(cursor, -10 * cycle.unit, cycle);
     case "PageUp":
-      return stepped(cursor, 10);
+      return stepped(cursor, 10 * cycle.unit, cycle);
     case "Home":
       return 0;
     case "End":
-      return TURN - stride(event);
+      return cycle.travels ? cycle.span : TURN - stride(event);
     default:
       return null;
   }
 }
 
 /**
- * Decimals that a cam angle is shown with: one while it runs by, and a second when it stands where one is not enough.
+ * Decimals that a place is shown with: one more than its steps while it runs by, and a second when it stands where one is not enough.
  * @param {{ cursor: number, playing: boolean }} state
+ * @param {Readonly<Cycle>} [cycle]
  */
-export const decimalsOf = ({ cursor, playing }) => (playing || Math.round(cursor * 100) % 10 === 0 ? 1 : 2);
+export function decimalsOf({ cursor, playing }, { unit } = FULL_TURN) {
+  const least = Math.max(0, 1 - Math.round(Math.log10(unit)));
+  return playing || Math.round((cursor / unit) * 100) % 10 === 0 ? least : least + 1;
+}
 
 /**
  * The change that a key brings to the animation, or null when the key is not one of its own.
- * @param {{ cursor: number, playing: boolean }} state
+ * @param {{ cursor: number, playing: boolean, report: { span: number, travels: boolean } }} state
  * @param {{ key: string, shiftKey: boolean, altKey: boolean }} event
  */
-export function played({ cursor, playing }, event) {
+export function played({ cursor, playing, report }, event) {
   if (event.key === " ") return { playing: !playing };
-  const next = afterKey(cursor, event);
+  const next = afterKey(cursor, event, cycleOf(report));
   return next === null ? null : { cursor: next, playing: false };
 }

@@ -85,12 +85,13 @@ const polar = (radius) => [radius * Math.cos(RADIUS_AT), radius * Math.sin(RADIU
  * @param {Pen} pen
  * @param {Dimension} shown
  * @param {string} text  the value
+ * @param {string} [colour]
  */
-export function drawDimension(pen, shown, text) {
-  const { context, palette } = pen;
+export function drawDimension(pen, shown, text, colour = pen.palette.accent) {
+  const { context } = pen;
   const [x0, y0] = [pen.x(shown.from[0]), pen.y(shown.from[1])];
   const [x1, y1] = [pen.x(shown.to[0]), pen.y(shown.to[1])];
-  pen.line(palette.accent, 2.25);
+  pen.line(colour, colour === pen.palette.accent ? 2.25 : 1);
   context.beginPath();
   if (shown.about) {
     const [ox, oy] = [pen.x(shown.about[0]), pen.y(shown.about[1])];
@@ -114,7 +115,7 @@ export function drawDimension(pen, shown, text) {
     }
   }
   context.stroke();
-  label(pen, shown.symbol, text, (x0 + x1) / 2, (y0 + y1) / 2, Math.abs(x1 - x0) > Math.abs(y1 - y0));
+  label(pen, shown.symbol, text, (x0 + x1) / 2, (y0 + y1) / 2, Math.abs(x1 - x0) > Math.abs(y1 - y0), colour);
 }
 
 /**
@@ -150,8 +151,9 @@ function tick(context, x, y, angle) {
  * @param {number} x
  * @param {number} y
  * @param {boolean} level  whether the line lies rather than stands
+ * @param {string} colour
  */
-function label(pen, symbol, text, x, y, level) {
+function label(pen, symbol, text, x, y, level, colour) {
   const { context, palette } = pen;
   const [letter = "", index = ""] = symbol.split("_");
   const size = palette.size * 1.2;
@@ -170,7 +172,7 @@ function label(pen, symbol, text, x, y, level) {
   const base = level ? y - 9 : y + size / 3;
   for (const [font, run, drop] of runs) {
     context.font = font;
-    pen.text(run, left, base + drop, palette.accent);
+    pen.text(run, left, base + drop, colour);
     left += context.measureText(run).width;
   }
 }

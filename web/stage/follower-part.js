@@ -9,7 +9,7 @@ import { bar, disc, hatch, mushroom, polygon, rectangle } from "./shapes.js";
 import { include } from "./view.js";
 
 /** The measure of all thicknesses, as a share of the cam's reach. */
-const THICKNESS = 0.05;
+export const THICKNESS = 0.05;
 
 /**
  * @typedef {object} Pose  where the follower's own frame stands
@@ -32,12 +32,20 @@ const THICKNESS = 0.05;
  */
 
 /**
+ * @typedef {object} Surroundings  what another kind of cam changes
+ * @property {Box} [box]      instead of the cam with its pitch curve
+ * @property {number} [clear] height above which the guide begins
+ * @property {boolean} [free] without a spring
+ */
+
+/**
  * @param {Report} report
  * @param {Lab} lab
+ * @param {Surroundings} [surroundings]
  * @returns {Follower}
  */
-export function buildFollower(report, lab) {
-  return report.mechanism.pivot ? oscillating(report, lab, report.mechanism.pivot) : translating(report, lab);
+export function buildFollower(report, lab, surroundings = {}) {
+  return report.mechanism.pivot ? oscillating(report, lab, report.mechanism.pivot) : translating(report, lab, surroundings);
 }
 
 /** A pitch curve farther out than this share of the cam's reach, that of a mushroom, is not waited for. */
@@ -48,7 +56,7 @@ const FAR_OUT = 0.6;
  * @param {Report["mechanism"]} mechanism
  * @returns {Box}
  */
-function around({ reach, base_radius: base, prime_radius: prime }) {
+export function around({ reach, base_radius: base, prime_radius: prime }) {
   const far = reach + Math.min((prime ?? base) - base, FAR_OUT * reach);
   return { left: -far, right: far, bottom: -far, top: far };
 }
@@ -58,7 +66,7 @@ function around({ reach, base_radius: base, prime_radius: prime }) {
  * @param {Report} report
  * @param {Lab} lab
  */
-function extremes(report, lab) {
+export function extremes(report, lab) {
   const range = report.summary.s;
   return [0, range?.min_at ?? 0, range?.max_at ?? 0].map((theta) => {
     const at = newInstant();
@@ -76,9 +84,10 @@ const value = (at, place) => /** @type {number} */ (at[place]);
 /**
  * @param {Report} report
  * @param {Lab} lab
+ * @param {Surroundings} surroundings
  * @returns {Follower}
  */
-function translating(report, lab) {
+function translating(report, lab, { box: given, clear = -Infinity, free = false }) {
   const { mechanism, summary } = report;
   const { reach, roller_radius: radius, contact, eccentricity } = mechanism;
   const t = THICKNESS * reach;
@@ -101,7 +110,7 @@ function translating(report, lab) {
   const travel = high - low;
 
   const { head, top, side } = heads();
-  const seat = high + top + 1.8 * t + 0.2 * travel;
+  const seat = Math.max(high + top + 1.8 * t + 0.2 * travel, clear);
   const guideTop = seat + 4.2 * t;
   const end = guideTop - low + 1.6 * t;
   const stem = contact === "knife" ? polygon([0, 0], [half, 2.2 * half], [half, end], [-half, end], [-half, 2.2 * half]) : rectangle(-half, stemFoot(), half, end);
@@ -116,10 +125,10 @@ function translating(report, lab) {
     return rectangle(a, seat, b, guideTop);
   });
 
-  const box = around(mechanism);
+  const box = given ? { ...given } : around(mechanism);
   include(box, eccentricity - Math.max(outer, side), high + end);
   include(box, eccentricity + Math.max(outer, side), guideTop);
-  const spring = { x: eccentricity, half: half + 0.9 * t, foot: top + 0.7 * t, seat };
+  const spring = free ? null : { x: eccentricity, half: half + 0.9 * t, foot: top + 0.7 * t, seat };
   return { body: [...head, stem, collar], joints: [], ground, hatching, roller: contact === "roller" ? radius : 0, spring, box, place };
 
   function stemFoot() {
@@ -152,7 +161,7 @@ function translating(report, lab) {
  * @param {Float64Array} at
  * @param {number} axis
  */
-function faceHeight(at, axis) {
+export function faceHeight(at, axis) {
   return value(at, AT.contactY) + ((value(at, AT.contactX) - axis) * value(at, AT.normalX)) / value(at, AT.normalY);
 }
 

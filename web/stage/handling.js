@@ -4,7 +4,7 @@
  * @import { Store } from "../types.d.ts"
  * @import { View } from "./view.js"
  */
-import { played, wrap } from "./clock.js";
+import { cycleOf, inside, played } from "./clock.js";
 import { worldX, worldY } from "./view.js";
 
 /** What a notch of the wheel and a press of + or − multiply the scale by. */
@@ -31,7 +31,7 @@ export function handle(target) {
   const { canvas, store } = target;
   /** @type {Map<number, { x: number, y: number }>} */
   const fingers = new Map();
-  /** Angle of the pointer about the cam's centre while the cam is held, rad. */
+  /** Angle of the pointer about the cam's centre while the cam is held, rad; its place across, of a cam that travels. */
   let held = NaN;
 
   canvas.addEventListener("pointerdown", (event) => {
@@ -42,7 +42,7 @@ export function handle(target) {
     if (fingers.size === 1) {
       const { x, y } = world(event);
       if (target.onCam(x, y)) {
-        held = Math.atan2(y, x);
+        held = store.state.report.travels ? x : Math.atan2(y, x);
         store.set({ playing: false });
       }
     }
@@ -100,12 +100,18 @@ export function handle(target) {
 
   /** @param {{ x: number, y: number }} point */
   function turn({ x, y }) {
+    const { report, cursor } = store.state;
+    if (report.travels) {
+      store.set({ cursor: inside(cycleOf(report), cursor - (x - held)) });
+      held = x;
+      return;
+    }
     const angle = Math.atan2(y, x);
     let moved = angle - held;
     if (moved > Math.PI) moved -= 2 * Math.PI;
     if (moved < -Math.PI) moved += 2 * Math.PI;
     held = angle;
-    store.set({ cursor: wrap(store.state.cursor + (target.sense() * moved * 180) / Math.PI) });
+    store.set({ cursor: inside(cycleOf(report), cursor + (target.sense() * moved * 180) / Math.PI) });
   }
 
   /**

@@ -17,25 +17,32 @@ const LENGTH = 22;
 /** @returns {Float64Array} */
 export const newInstant = () => new Float64Array(LENGTH);
 
-/** @typedef {{ values: Float64Array, cursor: number, report: Report | null, lab: Lab | null }} Kept */
+/** @typedef {{ values: Float64Array, cursor: number, report: Report | null, lab: Lab | null }} Kept  of each cam of a pair */
 
-/** @type {WeakMap<Store, Kept>} */
+/** @type {WeakMap<Store, [Kept, Kept]>} */
 const shared = new WeakMap();
 
 /**
  * The values at the cursor. The array is shared: read it, do not keep it.
  * @param {Context} context
+ * @param {boolean} [second]  of the second cam of a pair
  */
-export function instant({ store, lab }) {
-  let kept = shared.get(store);
-  if (!kept) shared.set(store, (kept = { values: newInstant(), cursor: NaN, report: null, lab: null }));
+export function instant({ store, lab }, second = false) {
+  let both = shared.get(store);
+  if (!both) shared.set(store, (both = [unknown(), unknown()]));
+  const kept = both[second ? 1 : 0];
   const { cursor, report } = store.state;
   const engine = lab();
   if (kept.cursor !== cursor || kept.report !== report || kept.lab !== engine) {
-    engine.at(cursor, kept.values);
+    engine.at(cursor, kept.values, second);
     kept.cursor = cursor;
     kept.report = report;
     kept.lab = engine;
   }
   return kept.values;
+}
+
+/** @returns {Kept} */
+function unknown() {
+  return { values: newInstant(), cursor: NaN, report: null, lab: null };
 }

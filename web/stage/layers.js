@@ -25,7 +25,8 @@ const LEVEL = 1e-9;
  * @param {Layer} layer
  * @param {Report} report
  */
-export function applies(layer, { mechanism }) {
+export function applies(layer, { mechanism, travels }) {
+  if (travels && layer === "prime") return false;
   return (layer !== "prime" && layer !== "pitch") || mechanism.prime_radius !== null;
 }
 
@@ -35,8 +36,12 @@ export function applies(layer, { mechanism }) {
  */
 export function drawAxes(pen, report) {
   const { reach, eccentricity, pivot } = report.mechanism;
-  const far = reach * 1.12;
+  const far = report.travels ? report.span * 1.05 : reach * 1.12;
   pen.line(pen.palette.line, 0.75, "axis");
+  if (report.travels) {
+    pen.segment(0, -0.2 * report.span, 0, far);
+    return;
+  }
   pen.segment(-far, 0, far, 0);
   pen.segment(0, -far, 0, far);
   if (pivot) pen.segment(0, 0, pivot[0], pivot[1]);
@@ -44,11 +49,17 @@ export function drawAxes(pen, report) {
 }
 
 /**
+ * The base circle, or the base line of a cam that travels.
  * @param {Pen} pen
  * @param {Report} report
+ * @param {number} cursor
  */
-export function drawBase(pen, report) {
+export function drawBase(pen, report, cursor) {
   pen.line(pen.palette.base, 1.25, "base");
+  if (report.travels) {
+    pen.segment(-cursor, 0, report.span - cursor, 0);
+    return;
+  }
   pen.circle(0, 0, report.mechanism.base_radius);
 }
 

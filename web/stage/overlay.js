@@ -4,6 +4,7 @@
  * @import { Highlight, PlotArea, Report } from "../types.d.ts"
  * @import { Palette } from "./palette.js"
  */
+import { placeIn } from "./place.js";
 
 /**
  * @typedef {object} Row  one diagram as it lies under the overlay
@@ -114,13 +115,13 @@ function lightUp(context, row, highlight, report, palette) {
   if (from !== undefined && to !== undefined) {
     context.fillStyle = palette.accent;
     context.globalAlpha = 0.13;
-    const end = to < from ? 360 : to;
+    const end = to < from ? report.span : Math.min(to, report.span);
     context.fillRect(atTheta(row, from), y, atTheta(row, end) - atTheta(row, from), area.height);
     if (to < from) context.fillRect(atTheta(row, 0), y, atTheta(row, to) - atTheta(row, 0), area.height);
     context.globalAlpha = 1;
   }
   if (highlight.theta === undefined) return;
-  const x = atTheta(row, highlight.theta % 360);
+  const x = atTheta(row, placeIn(report, highlight.theta));
   context.strokeStyle = palette.accent;
   context.lineWidth = 3;
   stroke(context, x, y, y + area.height);

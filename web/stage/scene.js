@@ -5,6 +5,7 @@
  * @import { Cam } from "./cam-part.js"
  * @import { Follower, Pose } from "./follower-part.js"
  * @import { Stations } from "./stations.js"
+ * @import { Kinds, Dress } from "./kinds.js"
  * @import { Pen } from "./pen.js"
  * @import { Box } from "./view.js"
  */
@@ -14,6 +15,7 @@ import { dimension, drawDimension } from "./dimensions.js";
 import { buildFollower } from "./follower-part.js";
 import { AT } from "./instant.js";
 import { LAYERS, applies, drawAxes, drawBase, drawNormal, drawOsculating, drawPrime } from "./layers.js";
+import { placeIn } from "./place.js";
 import { buildStations, drawStations, stationsReach } from "./stations.js";
 import { include } from "./view.js";
 
@@ -27,6 +29,8 @@ export class Scene {
   cam;
   /** @type {Follower} */
   follower;
+  /** What another kind of cam, or a second one, adds. @type {Dress | null} */
+  dress;
   /** @type {Stations | null} */
   #stations = null;
   /** @type {Pose} */
@@ -40,12 +44,14 @@ export class Scene {
    * @param {Report} report
    * @param {Lab} lab
    * @param {Scene | null} before  the scene that this one takes the place of
+   * @param {Kinds | null} kinds  for what is no plain rotating cam
    */
-  constructor(report, lab, before) {
+  constructor(report, lab, before, kinds) {
     this.report = report;
     this.lab = lab;
-    this.cam = buildCam(report, lab);
-    this.follower = buildFollower(report, lab);
+    this.dress = kinds?.dress(report, lab) ?? null;
+    this.cam = this.dress?.cam ?? buildCam(report, lab);
+    this.follower = this.dress?.follower ?? buildFollower(report, lab);
     if (!before) return;
     this.#turns = before.#turns;
     this.#theta = before.#theta;
@@ -58,14 +64,19 @@ export class Scene {
    */
   box(state) {
     const box = { ...this.follower.box };
-    if (shown(state, "stations", this.report)) include(box, 0, 0, stationsReach(this.report));
+    if (shown(state, "stations", this.report) && !this.report.travels) include(box, 0, 0, stationsReach(this.report));
     for (const { reach } of this.#beside(state)) include(box, 0, 0, reach);
     return box;
   }
 
-  /** @param {number} theta */
+  /** Turn of the cam, rad; none when it travels. @param {number} theta */
   camAngle(theta) {
-    return (this.report.mechanism.sense * theta * Math.PI) / 180;
+    return this.report.travels ? 0 : (this.report.mechanism.sense * theta * Math.PI) / 180;
+  }
+
+  /** How far the cam has travelled. @param {number} place */
+  camShift(place) {
+    return this.report.travels ? place : 0;
   }
 
   /**
@@ -78,35 +89,42 @@ export class Scene {
    */
   draw(pen, state, at, format, width, height) {
     const { context } = pen;
-    const { report } = this;
+    const { report, dress } = this;
     const angle = this.camAngle(state.cursor);
+    const shift = this.camShift(state.cursor);
     this.follower.place(at, this.#pose);
+    const frame = { state, at, angle, shift, format, pose: this.#pose, layer: (/** @type {keyof typeof LAYERS} */ name) => shown(state, name, report) };
 
     pen.screen();
     context.clearRect(0, 0, width, height);
     this.#drawGround(pen);
     pen.screen();
     if (shown(state, "axes", report)) drawAxes(pen, report);
-    this.#drawBody(pen);
-    drawCam(pen, this.cam, angle);
+    dress?.behind?.(pen, frame);
+    if (!dress?.paint) this.#drawBody(pen);
+    pen.world(-shift, 0, angle);
+    if (dress?.paint) dress.paint(pen);
+    else drawCam(pen, this.cam);
     for (const { outline, sense, colour, dash } of this.#beside(state)) {
-      pen.world(0, 0, (sense * state.cursor * Math.PI) / 180);
+      pen.world(-shift, 0, report.travels ? 0 : (sense * state.cursor * Math.PI) / 180);
       pen.line(colour, 1.5);
       context.setLineDash(dash.map((length) => (length * pen.weight) / pen.view.scale));
       context.stroke(outline);
     }
     context.setLineDash([]);
-    this.#drawLit(pen, state, angle);
+    this.#drawLit(pen, state, angle, shift);
     if (shown(state, "pitch", report) && this.cam.pitch) {
-      pen.world(0, 0, angle);
+      pen.world(-shift, 0, angle);
       pen.line(pen.palette.pitch, 1.25, "pitch");
       context.stroke(this.cam.pitch);
     }
+    if (dress?.paint) this.#drawBody(pen);
     pen.screen();
-    if (shown(state, "base", report)) drawBase(pen, report);
+    if (shown(state, "base", report)) drawBase(pen, report, state.cursor);
     if (shown(state, "prime", report)) drawPrime(pen, report);
-    if (shown(state, "stations", report)) drawStations(pen, (this.#stations ??= buildStations(report, this.lab)), angle);
+    if (shown(state, "stations", report)) drawStations(pen, (this.#stations ??= buildStations(report, this.lab)), angle, shift);
     this.#drawRoller(pen, state.cursor);
+    dress?.front?.(pen, frame);
     pen.screen();
     if (shown(state, "osculating", report)) drawOsculating(pen, at);
     if (shown(state, "normal", report)) drawNormal(pen, report, at, `φ = ${format.angle(at[AT.pressureAngle])}`);
@@ -155,9 +173,9 @@ export class Scene {
     const { rolled } = this.cam;
     if (!(roller > 0) || !rolled) return;
     const moved = theta - this.#theta;
-    if (Math.abs(moved) > PASSAGE) this.#turns -= Math.sign(moved);
+    if (!this.report.travels && Math.abs(moved) > PASSAGE) this.#turns -= Math.sign(moved);
     this.#theta = theta;
-    const spin = between(rolled, theta) + this.#turns * /** @type {number} */ (rolled.at(-1));
+    const spin = between(rolled, theta, this.cam.span) + this.#turns * /** @type {number} */ (rolled.at(-1));
     const along = this.report.mechanism.arm ?? 0;
     const { x, y, angle } = this.#pose;
     drawRoller(pen, x + along * Math.cos(angle), y + along * Math.sin(angle), spin, roller);
@@ -168,23 +186,24 @@ export class Scene {
    * @param {Pen} pen
    * @param {Readonly<State>} state
    * @param {number} angle
+   * @param {number} shift
    */
-  #drawLit(pen, { highlight }, angle) {
+  #drawLit(pen, { highlight }, angle, shift) {
     if (highlight !== this.#lit.highlight) this.#lit = { highlight, path: this.#litPath(highlight) };
     const { context, palette } = pen;
     if (this.#lit.path) {
-      pen.world(0, 0, angle);
+      pen.world(-shift, 0, angle);
       context.lineCap = "round";
       pen.line(palette.accent, 5);
       context.stroke(this.#lit.path);
       context.lineCap = "butt";
     }
     if (highlight?.theta === undefined) return;
-    const theta = highlight.theta % 360;
-    const [x, y] = [between(this.cam.x, theta), between(this.cam.y, theta)];
+    const theta = placeIn(this.report, highlight.theta);
+    const [x, y] = [between(this.cam.x, theta, this.cam.span), between(this.cam.y, theta, this.cam.span)];
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     pen.screen();
-    pen.dot(x * c - y * s, x * s + y * c, 6, palette.accent);
+    pen.dot(x * c - y * s - shift, x * s + y * c, 6, palette.accent);
   }
 
   /** @param {Highlight | null} highlight */
@@ -203,7 +222,7 @@ export class Scene {
    */
   #drawParameter(pen, state, at, format) {
     const path = state.highlight?.parameter;
-    const drawn = path && dimension(path, this.report, at);
+    const drawn = path && !path.startsWith("conjugate") && dimension(path, this.report, at);
     if (!drawn) return;
     const key = path.slice(path.lastIndexOf(".") + 1);
     const value = key === "base_radius" ? state.design.cam.base_radius : state.design.follower[key];

@@ -8,6 +8,8 @@ import { AT, newInstant } from "./instant.js";
 
 /** Stations of a turn: every 15°. */
 const COUNT = 24;
+/** Stations of a travel, both ends among them. */
+const TRAVEL_COUNT = 13;
 /** Every how many stations one is numbered. */
 const NUMBERED = 2;
 
@@ -15,6 +17,7 @@ const NUMBERED = 2;
  * @typedef {object} Stations
  * @property {Path2D} lines     the follower's axis, arm or face at each station, in the cam's frame
  * @property {Path2D} contacts  rollers, or points of contact
+ * @property {number} count
  * @property {Float64Array} labels  x, y of each number, in the cam's frame
  */
 
@@ -31,13 +34,14 @@ export function buildStations(report, lab) {
   const labels = new Float64Array(2 * COUNT);
   const dot = 0.018 * reach;
 
-  for (let k = 0; k < COUNT; k++) {
-    const theta = (360 * k) / COUNT;
+  const count = report.travels ? TRAVEL_COUNT : COUNT;
+  for (let k = 0; k < count; k++) {
+    const theta = report.travels ? (report.span * k) / (count - 1) : (360 * k) / count;
     lab.at(theta, at);
     const c = Math.cos((-sense * theta * Math.PI) / 180);
     const s = Math.sin((-sense * theta * Math.PI) / 180);
     /** @type {(x: number, y: number) => [number, number]} */
-    const back = (x, y) => [x * c - y * s, x * s + y * c];
+    const back = report.travels ? (x, y) => [x + theta, y] : (x, y) => [x * c - y * s, x * s + y * c];
     const [cx, cy] = [value(at, AT.contactX), value(at, AT.contactY)];
     const [nx, ny] = [value(at, AT.normalX), value(at, AT.normalY)];
     const flat = contact === "flat";
@@ -61,7 +65,7 @@ export function buildStations(report, lab) {
     const beyond = (contact === "roller" ? radius : 0) + 0.1 * reach + (motion === "translating" && !flat ? 0.08 * reach : 0);
     [labels[2 * k], labels[2 * k + 1]] = back(tx + nx * beyond, ty + ny * beyond);
   }
-  return { lines, contacts, labels };
+  return { lines, contacts, count, labels };
 }
 
 /**
@@ -87,10 +91,11 @@ function circle(path, [x, y], radius) {
  * @param {Pen} pen
  * @param {Stations} stations
  * @param {number} angle  of the cam, rad
+ * @param {number} shift  by which it has travelled
  */
-export function drawStations(pen, stations, angle) {
+export function drawStations(pen, stations, angle, shift) {
   const { context, palette } = pen;
-  pen.world(0, 0, angle);
+  pen.world(-shift, 0, angle);
   pen.line(palette.line, 0.75);
   context.stroke(stations.lines);
   pen.line(palette.s, 1);
@@ -101,10 +106,10 @@ export function drawStations(pen, stations, angle) {
   context.textBaseline = "middle";
   const c = Math.cos(angle);
   const s = Math.sin(angle);
-  for (let k = 0; k < COUNT; k += NUMBERED) {
+  for (let k = 0; k < stations.count; k += NUMBERED) {
     const x = /** @type {number} */ (stations.labels[2 * k]);
     const y = /** @type {number} */ (stations.labels[2 * k + 1]);
-    pen.text(String(k), pen.x(x * c - y * s), pen.y(x * s + y * c), palette.muted);
+    pen.text(String(k), pen.x(x * c - y * s - shift), pen.y(x * s + y * c), palette.muted);
   }
 }
 

@@ -4,6 +4,13 @@ export const stageEn = {
   "stage.title": "Mechanism",
   "stage.alternative":
     "Plate cam with {follower}, drawn to scale. The cam turns {sense}; its base radius is {base} and its profile reaches {reach} from the centre.",
+  "stage.alternative.grooved":
+    "Disc with a groove in its face and {follower} running in it, drawn to scale. The cam turns {sense}; the base radius is {base} and the inner wall reaches {reach} from the centre.",
+  "stage.alternative.constant-breadth":
+    "Cam of constant breadth between the two sides of a yoke, {follower}, drawn to scale. The cam turns {sense}; its base radius is {base} and its breadth {breadth}.",
+  "stage.alternative.translating": "Wedge of length {length} that travels back and forth under {follower}, drawn to scale.",
+  "stage.alternative.pair": "A second cam on the same shaft, hatched, with base radius {base}, carries the other side of the follower.",
+  "stage.pointer.travel": "x {x}  y {y} {unit} · at {place} {unit} of the cam",
   "stage.keys":
     "Left and right arrows turn the cam by 1°, with Shift by 10°, with Alt by 0.1°. Home and End go to the ends of the turn, Space plays and pauses. Plus, minus and zero zoom in, zoom out and fit; Ctrl with arrows moves the picture.",
   "stage.follower.translating-roller": "a translating roller follower",
@@ -33,6 +40,12 @@ export const stageEn = {
   "transport.pause": "Pause",
   "transport.back": "−1°, one degree back",
   "transport.forth": "+1°, one degree forward",
+  "transport.back.travel": "−{unit}, one step back",
+  "transport.forth.travel": "+{unit}, one step forward",
+  "transport.scrub.travel": "Place of the cam x",
+  "transport.place": "place of the cam",
+  "transport.pace.travel": "1 way = {shown} (real {real})",
+  "transport.stopped.travel": "Stopped (1 real way = {real})",
   "transport.reverse": "Run backwards",
   "transport.backwards": "backwards",
   "transport.scrub": "Cam angle θ",
@@ -43,6 +56,14 @@ export const stageEn = {
 
   "diagram.title": "Diagrams",
   "diagram.cursor": "Cam angle θ in the diagrams",
+  "diagram.cursor.travel": "Place of the cam x in the diagrams",
+  "diagram.cams": "Cam shown",
+  "diagram.cam.first": "Cam 1",
+  "diagram.cam.second": "Cam 2",
+  "diagram.cam.first.long": "diagrams and values of the first cam",
+  "diagram.cam.second.long": "diagrams and values of the second cam",
+  "diagram.per.length": "per length travelled",
+  "diagram.per.length.short": "per {unit}",
   "diagram.choose": "Diagrams shown",
   "diagram.tab.svaj": "displacement, velocity, acceleration, jerk",
   "diagram.tab.pressure_angle": "pressure angle",
@@ -66,6 +87,7 @@ export const stageEn = {
 
   "readout.title": "Instant values",
   "readout.theta": "cam angle",
+  "readout.place": "place of the cam",
   "readout.t": "time from θ = 0",
   "readout.s": "displacement",
   "readout.v": "velocity",

@@ -4,6 +4,13 @@ export const stageEs = {
   "stage.title": "Mecanismo",
   "stage.alternative":
     "Leva de placa con {follower}, dibujada a escala. La leva gira en sentido {sense}; su radio base es {base} y el perfil se aleja hasta {reach} del centro.",
+  "stage.alternative.grooved":
+    "Disco con una ranura en su cara, por la que corre un {follower}, dibujado a escala. La leva gira en sentido {sense}; su radio base es {base} y la pared interior se aleja hasta {reach} del centro.",
+  "stage.alternative.constant-breadth":
+    "Leva de anchura constante entre los dos lados de un marco, {follower}, dibujada a escala. La leva gira en sentido {sense}; su radio base es {base} y su anchura {breadth}.",
+  "stage.alternative.translating": "Cuña de longitud {length} que va y viene bajo un {follower}, dibujada a escala.",
+  "stage.alternative.pair": "Una segunda leva en el mismo eje, rayada, de radio base {base}, lleva el otro lado del seguidor.",
+  "stage.pointer.travel": "x {x}  y {y} {unit} · a {place} {unit} de la leva",
   "stage.keys":
     "Las flechas izquierda y derecha giran la leva 1°; con Mayúsculas, 10°; con Alt, 0,1°. Inicio y Fin van a los extremos de la vuelta y la barra espaciadora anima o detiene. Más, menos y cero acercan, alejan y encuadran; Ctrl con las flechas desplaza el dibujo.",
   "stage.follower.translating-roller": "seguidor de traslación con rodillo",
@@ -33,6 +40,12 @@ export const stageEs = {
   "transport.pause": "Pausa",
   "transport.back": "−1°, un grado atrás",
   "transport.forth": "+1°, un grado adelante",
+  "transport.back.travel": "−{unit}, un paso atrás",
+  "transport.forth.travel": "+{unit}, un paso adelante",
+  "transport.scrub.travel": "Posición de la leva x",
+  "transport.place": "posición de la leva",
+  "transport.pace.travel": "1 pasada = {shown} (real: {real})",
+  "transport.stopped.travel": "Parada (1 pasada real = {real})",
   "transport.reverse": "Hacia atrás",
   "transport.backwards": "hacia atrás",
   "transport.scrub": "Ángulo de la leva θ",
@@ -43,6 +56,14 @@ export const stageEs = {
 
   "diagram.title": "Diagramas",
   "diagram.cursor": "Ángulo de la leva θ en los diagramas",
+  "diagram.cursor.travel": "Posición de la leva x en los diagramas",
+  "diagram.cams": "Leva a la vista",
+  "diagram.cam.first": "Leva 1",
+  "diagram.cam.second": "Leva 2",
+  "diagram.cam.first.long": "diagramas y valores de la primera leva",
+  "diagram.cam.second.long": "diagramas y valores de la segunda leva",
+  "diagram.per.length": "por longitud recorrida",
+  "diagram.per.length.short": "por {unit}",
   "diagram.choose": "Diagramas a la vista",
   "diagram.tab.svaj": "desplazamiento, velocidad, aceleración y sobreaceleración",
   "diagram.tab.pressure_angle": "ángulo de presión",
@@ -66,6 +87,7 @@ export const stageEs = {
 
   "readout.title": "Valores instantáneos",
   "readout.theta": "ángulo de la leva",
+  "readout.place": "posición de la leva",
   "readout.t": "tiempo desde θ = 0",
   "readout.s": "desplazamiento",
   "readout.v": "velocidad",

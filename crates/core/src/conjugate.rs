@@ -4,7 +4,7 @@ use crate::extreme::extremes;
 use crate::samples::{LEAST_STEPS, Quantity, Samples};
 use crate::sizing::{geometry_passes, shortfall_of};
 use crate::{Body, Cam, Closure, Drive, Element, Follower, GeometryError, GeometryProblem, Point};
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// What ties the second element to the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +35,9 @@ impl Tie {
         value
     }
 
-    fn with(self, value: f64) -> Self {
+    /// The same kind of tie with another value.
+    #[must_use]
+    pub fn with(self, value: f64) -> Self {
         match self {
             Self::Distance(_) => Self::Distance(value),
             Self::Angle(_) => Self::Angle(value),
@@ -175,6 +177,40 @@ fn lowest(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
         if f(left) < f(right) { high = right } else { low = left }
     }
     0.5 * (low + high)
+}
+
+/// The tie of that kind with which the second base circle is as large as the first; none when it leaves no room, or is of the
+/// wrong kind for the follower.
+#[must_use]
+pub fn balanced_tie(cam: &Cam, kind: Tie) -> Option<Tie> {
+    let follower = &cam.follower;
+    let radius = radius_index(follower).map_or(0.0, |index| follower.values[index]);
+    let across = Across { cam, top: top(cam), radius };
+    let (min, max) = across.bounds(kind)?;
+    let value = match (follower.body, follower.element, kind) {
+        (Body::Slide, Element::Face { normal, point }, _) => {
+            along(point, normal) + follower.base_radius + across.top * normal.im
+        }
+        (Body::Slide, Element::Disc { centre, .. }, _) => 2.0 * centre.im + across.top,
+        (Body::Swing { .. }, _, Tie::BaseRadius(_)) => follower.base_radius,
+        (Body::Swing { pivot }, element, _) => {
+            let opening = across.opening_for(pivot, element, follower.base_radius);
+            across.first_opening(pivot, element) + across.top + opening
+        }
+    };
+    (value > min && value < max).then(|| kind.with(value))
+}
+
+/// The angle between the arms, or the faces, of a pair that swings; radians.
+#[must_use]
+pub fn angle_between(first: &Cam, second: &Cam) -> Option<f64> {
+    let Body::Swing { pivot } = first.follower.body else { return None };
+    let turn = match (first.follower.element, second.follower.element) {
+        (Element::Disc { centre: one, .. }, Element::Disc { centre: two, .. }) => (two - pivot) / (one - pivot),
+        (Element::Face { normal: one, .. }, Element::Face { normal: two, .. }) => -two / one,
+        _ => return None,
+    };
+    Some(turn.arg().rem_euclid(TAU))
 }
 
 /// A second element placed across the shaft.

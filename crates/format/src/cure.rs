@@ -99,16 +99,21 @@ fn nearest_tie(design: &Design) -> Option<Remedy> {
     let edge = |value: f64| if matches!(pair.tie, Tie::Angle(_)) { value.to_degrees() } else { value };
     let (least, most, now) = (edge(least), edge(most), pair.tie.value());
     let grows = now < least;
-    let how = if grows { f64::ceil } else { f64::floor };
-    let exact = if grows { least } else { most };
-    let inside = |value: &f64| (least..=most).contains(value);
-    let value = (DIGITS..ALL_DIGITS).map(|digits| round(exact, digits, how)).find(inside)?;
-    let tie = match pair.tie {
-        Tie::Distance(_) => Tie::Distance(value),
-        Tie::Angle(_) => Tie::Angle(value),
-        Tie::BaseRadius(_) => Tie::BaseRadius(value),
+    let value = short_within(if grows { least } else { most }, least, most)?;
+    Some(Remedy::Tie { tie: pair.tie.with(value), grows })
+}
+
+/// The number nearest to `wanted` with few digits that lies between two others.
+pub(crate) fn short_within(wanted: f64, least: f64, most: f64) -> Option<f64> {
+    let how = if wanted <= least {
+        f64::ceil
+    } else if wanted >= most {
+        f64::floor
+    } else {
+        f64::round
     };
-    Some(Remedy::Tie { tie, grows })
+    let inside = |value: &f64| (least..=most).contains(value);
+    (DIGITS..ALL_DIGITS).map(|digits| round(wanted, digits, how)).find(inside)
 }
 
 /// The design with some changes made.

@@ -3,7 +3,9 @@
 use crate::decimal::Decimal;
 use crate::limits::SIZE;
 use crate::{Design, DesignError, Measure, Problem};
-use levalab_core::{Closure, ContactKind, Cycle, Generator, MAX_SIDES, Motion, Rotation, sharpest_base_radius};
+use levalab_core::{
+    Closure, ContactKind, Cycle, FollowerKind, Generator, MAX_SIDES, Motion, Rotation, sharpest_base_radius,
+};
 
 /// What a cam is, besides its base circle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -115,6 +117,23 @@ impl BreadthGenerator {
     }
 }
 
+/// What in a follower has no place on a cam of that kind: its motion or its contact.
+#[must_use]
+pub fn misfit(kind: &str, follower: &FollowerKind) -> Option<&'static str> {
+    let slides = follower.motion == Motion::Translating;
+    let contact = follower.contact;
+    let [_, grooved, breadth, travels] = CamKind::WORDS.map(|word| word == kind);
+    if (breadth || travels) && !slides {
+        return Some("motion");
+    }
+    let suited = match contact {
+        ContactKind::Roller => true,
+        ContactKind::Knife | ContactKind::Curved => !grooved && !breadth,
+        ContactKind::Flat => !grooved && !travels,
+    };
+    (!suited).then_some("contact")
+}
+
 impl Design {
     /// How far the follower of a cam of constant breadth travels: dc − 2Rb.
     #[must_use]
@@ -170,21 +189,13 @@ impl Design {
 
     fn check_suited(&self) -> Result<(), DesignError> {
         let kind = self.kind.word();
-        let unsuited = |key| Err(DesignError::at(["follower", key], Problem::Unsuited { kind }));
-        let (motion, contact) = (self.follower.motion, self.follower.contact);
-        let centred = ["eccentricity", "face_angle"];
-        match self.kind {
-            CamKind::Grooved if contact != ContactKind::Roller => return unsuited("contact"),
-            CamKind::Rotating | CamKind::Grooved => return Ok(()),
-            CamKind::ConstantBreadth { .. } | CamKind::Translating { .. } if motion != Motion::Translating => {
-                return unsuited("motion");
-            }
-            CamKind::ConstantBreadth { .. } if !matches!(contact, ContactKind::Roller | ContactKind::Flat) => {
-                return unsuited("contact");
-            }
-            CamKind::Translating { .. } if contact == ContactKind::Flat => return unsuited("contact"),
-            _ => {}
+        if let Some(key) = misfit(kind, self.follower) {
+            return Err(DesignError::at(["follower", key], Problem::Unsuited { kind }));
         }
+        if matches!(self.kind, CamKind::Rotating | CamKind::Grooved) {
+            return Ok(());
+        }
+        let centred = ["eccentricity", "face_angle"];
         let off_centre = self.follower.parameters.iter().zip(self.values);
         match off_centre.into_iter().find(|(parameter, value)| centred.contains(&parameter.key) && *value != 0.0) {
             Some((parameter, found)) => {

@@ -1,8 +1,9 @@
 //! The second cam of a conjugate pair: what a design says of it.
 
+use crate::cure::short_within;
 use crate::limits::{ANGLE, SIZE};
 use crate::{Design, DesignError, Measure, Path, Problem};
-use levalab_core::{Cam, GeometryError, GeometryProblem, Motion, Tie, conjugate};
+use levalab_core::{Cam, GeometryError, GeometryProblem, Motion, Tie, balanced_tie, conjugate, working_ties};
 
 /// A second element fixed to the follower, on a second cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,12 +16,14 @@ pub struct Conjugate {
 
 impl Conjugate {
     /// The field that gives the radius of a follower's disc, for those that may have a second one of another size.
-    pub(crate) fn radius_key(design: &Design) -> Option<&'static str> {
+    #[must_use]
+    pub fn radius_key(design: &Design) -> Option<&'static str> {
         ["roller_radius", "face_radius"].into_iter().find(|key| design.follower.index_of(key).is_some())
     }
 
     /// The ties that a design's follower may have.
-    pub(crate) fn tie_keys(design: &Design) -> &'static [&'static str] {
+    #[must_use]
+    pub fn tie_keys(design: &Design) -> &'static [&'static str] {
         match design.follower.motion {
             Motion::Translating => &["distance"],
             Motion::Oscillating => &["angle", "base_radius"],
@@ -37,7 +40,36 @@ impl Conjugate {
     }
 }
 
+/// Where a second cam has its place: the ties of one kind with which its geometry passes, and a good one among them. Angles in
+/// degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Room {
+    /// The tie to start with: the one that makes both base circles alike when it passes, in few digits.
+    pub tie: Tie,
+    /// Least that passes.
+    pub least: f64,
+    /// Greatest that passes; infinite for a distance.
+    pub most: f64,
+}
+
 impl Design {
+    /// The room that there is for a second cam tied in that way, whatever pair the design has now; none when there is no room.
+    /// `radius` is that of the second disc; that of the first when none is given.
+    ///
+    /// # Errors
+    /// When the first cam cannot be.
+    pub fn room_for_second(&self, kind: Tie, radius: Option<f64>) -> Result<Option<Room>, DesignError> {
+        let alone = Self { conjugate: None, ..self.clone() };
+        let cam = alone.cam()?;
+        let edge = |value: f64| if matches!(kind, Tie::Angle(_)) { value.to_degrees() } else { value };
+        let room = working_ties(&cam, kind, radius).map(|(least, most)| (edge(least), edge(most)));
+        Ok(room.and_then(|(least, most)| {
+            let balanced = balanced_tie(&cam, kind).map_or(least, |tie| edge(tie.value()));
+            let tie = kind.with(short_within(balanced.clamp(least, most), least, most)?);
+            Some(Room { tie, least, most })
+        }))
+    }
+
     /// The second cam, when the design has one; `first` is its own cam.
     ///
     /// # Errors
@@ -81,5 +113,47 @@ impl Design {
             DesignError::at(at(key), problem)
         };
         conjugate(first, pair.core_tie(), pair.radius).map(Some).map_err(refused)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn roller(base_radius: f64, conjugate: &serde_json::Value) -> serde_json::Value {
+        let segments: Vec<_> = (0..10)
+            .map(|k| json!({ "law": "polynomial-4-5-6-7", "beta": 36, "rise": if k % 2 == 0 { 20 } else { -20 } }))
+            .collect();
+        json!({
+            "format": "levalab/1", "cam": { "kind": "rotating", "base_radius": base_radius },
+            "follower": { "motion": "translating", "contact": "roller", "roller_radius": 10 },
+            "conjugate": conjugate, "segments": segments,
+        })
+    }
+
+    #[test]
+    fn the_classic_pair_is_what_the_room_proposes() {
+        let design = Design::from_value(&roller(170.0, &json!({ "distance": 380 }))).expect("7CRT");
+        let room = design.room_for_second(Tie::Distance(0.0), None).expect("a good cam").expect("room");
+        assert_eq!((room.tie, room.most), (Tie::Distance(380.0), f64::INFINITY));
+        let mut closer = design.clone();
+        for (distance, passes) in [(room.least * 1.001, true), (room.least * 0.98, false)] {
+            closer.conjugate = Some(Conjugate { tie: Tie::Distance(distance), radius: None });
+            let first = closer.cam().expect("the first");
+            let second = closer.second(&first).expect("a pair").expect("a second");
+            let findings = levalab_core::Analysis::of(&second, 1).findings;
+            assert_eq!(
+                findings.iter().all(|finding| finding.kind.is_of_the_motion()),
+                passes,
+                "{distance}: {findings:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_tie_of_the_other_motion_has_no_room() {
+        let design = Design::from_value(&roller(170.0, &json!({ "distance": 380 }))).expect("7CRT");
+        assert_eq!(design.room_for_second(Tie::Angle(0.0), None).expect("a good cam"), None);
     }
 }

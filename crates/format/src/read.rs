@@ -67,7 +67,9 @@ fn read(value: &Value) -> Result<Design, DesignError> {
     let cam = file.object("cam")?;
     let kind = read_kind(&cam)?;
     let ready = kind.generator().is_some();
-    if ready {
+    // No segments at all may be told by an empty list.
+    let none = file.fields.get("segments").and_then(Value::as_array).is_some_and(Vec::is_empty);
+    if ready && !none {
         file.only(&FIELDS[..FIELDS.len() - 1])?;
     }
     let rotation = match cam.fields.contains_key("rotation") {

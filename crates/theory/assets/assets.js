@@ -65,7 +65,7 @@ async function labels(language) {
 const drawings = {};
 for (const entry of JSON.parse(process.argv[2] ?? "[]")) {
   const drawing = createHelpDrawing({ pick() {}, point() {} });
-  drawing.show(entry, "");
+  void drawing.show(entry, "", "rotating");
   drawing.root.setAttribute("aria-hidden", "true");
   drawings[entry.id] = String(drawing.root);
 }

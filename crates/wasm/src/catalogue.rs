@@ -1,8 +1,10 @@
 //! What the page's forms are built from: laws, followers and units, straight from the lists of the crates inside.
 
 use levalab_core::law::{Arguments, Group, LAWS, Law};
-use levalab_core::{FOLLOWERS, FollowerKind, MAX_SEGMENTS, Parameter, Quantity};
-use levalab_format::{FIRST_EXAMPLE, LengthUnit, SpeedUnit, data_entry, limits, motion_and_contact};
+use levalab_core::{FOLLOWERS, FollowerKind, MAX_SEGMENTS, MAX_SIDES, Parameter, Quantity, sharpest_base_radius};
+use levalab_format::{
+    BreadthGenerator, CamKind, FIRST_EXAMPLE, LengthUnit, SpeedUnit, data_entry, limits, misfit, motion_and_contact,
+};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -11,6 +13,9 @@ use serde_json::Value;
 pub struct Catalogue {
     laws: Vec<LawEntry>,
     followers: Vec<FollowerEntry>,
+    kinds: Vec<KindEntry>,
+    generators: [&'static str; 3],
+    polygons: Vec<Polygon>,
     length_units: Vec<&'static str>,
     speed_units: Vec<&'static str>,
     /// The design that the page opens with, a file as text: the page reads it with its own JSON, and this module carries none.
@@ -43,6 +48,13 @@ struct FollowerEntry {
     parameters: Vec<ParameterEntry>,
 }
 
+/// A kind of cam, with the followers that have a place on it.
+#[derive(Serialize)]
+struct KindEntry {
+    id: &'static str,
+    followers: Vec<&'static str>,
+}
+
 #[derive(Serialize)]
 struct ParameterEntry {
     key: &'static str,
@@ -65,6 +77,9 @@ impl Catalogue {
         Self {
             laws: LAWS.iter().map(|law| LawEntry::of(law)).collect(),
             followers: FOLLOWERS.iter().map(|kind| FollowerEntry::of(kind)).collect(),
+            kinds: CamKind::WORDS.map(KindEntry::of).into(),
+            generators: BreadthGenerator::WORDS,
+            polygons: (3..=MAX_SIDES).step_by(2).map(Polygon::of).collect(),
             length_units: LengthUnit::ALL.map(LengthUnit::symbol).into(),
             speed_units: SpeedUnit::ALL.map(|unit| unit.symbol(LengthUnit::default())).into(),
             first: FIRST_EXAMPLE,
@@ -90,6 +105,26 @@ impl LawEntry {
             thumbnail: thumbnail(law),
             free: data_entry(&law.first_data(1.0, 0.0, 1.0)).map(|(key, first)| FreeEntry { key, first }),
         }
+    }
+}
+
+/// A polygon of arcs, with the least base radius for a breadth of 1.
+#[derive(Serialize)]
+struct Polygon {
+    sides: u32,
+    least: f64,
+}
+
+impl Polygon {
+    fn of(sides: u32) -> Self {
+        Self { sides, least: sharpest_base_radius(sides, 1.0) }
+    }
+}
+
+impl KindEntry {
+    fn of(id: &'static str) -> Self {
+        let suited = FOLLOWERS.iter().filter(|follower| misfit(id, follower).is_none());
+        Self { id, followers: suited.map(|follower| follower.id).collect() }
     }
 }
 

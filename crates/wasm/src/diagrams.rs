@@ -37,8 +37,9 @@ impl Lab {
         canvas: HtmlCanvasElement,
         #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
         #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: &JsValue,
+        second: Option<bool>,
     ) -> Result<JsValue, JsError> {
-        let (diagram, style) = prepare(self, diagram, style)?;
+        let (diagram, style) = prepare(self, diagram, style, second)?;
         let context = context_of(&canvas)?;
         let backend =
             CanvasBackend::with_canvas_object(canvas).ok_or_else(|| JsError::new("the canvas cannot be drawn on"))?;
@@ -70,14 +71,15 @@ impl Lab {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Diagram")] diagram: &str,
         #[wasm_bindgen(unchecked_param_type = "ChartStyle")] style: &JsValue,
+        second: Option<bool>,
     ) -> Result<String, JsError> {
-        let (diagram, style) = prepare(self, diagram, style)?;
+        let (diagram, style) = prepare(self, diagram, style, second)?;
         Ok(levalab_chart::svg(&diagram, &style).0)
     }
 }
 
-fn prepare(lab: &Lab, diagram: &str, style: &JsValue) -> Result<(Diagram, Style), JsError> {
-    let current = lab.current()?;
+fn prepare(lab: &Lab, diagram: &str, style: &JsValue, second: Option<bool>) -> Result<(Diagram, Style), JsError> {
+    let current = lab.drawn(second)?;
     let quantity = Quantity::by_name(diagram).ok_or_else(|| JsError::new("no such diagram"))?;
     let wanted = PageStyle(plain::value(style));
     let style = wanted.style().ok_or_else(|| JsError::new("the style lacks a number"))?;

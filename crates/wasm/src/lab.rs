@@ -27,6 +27,8 @@ pub struct Current {
 #[derive(Default)]
 pub struct Lab {
     current: Option<Rc<Current>>,
+    /// The second cam of a pair, analysed like the first.
+    second: Option<Current>,
     /// Cams whose curves are drawn behind those of the current one.
     pub(crate) beside: Vec<Beside>,
 }
@@ -66,30 +68,35 @@ impl Lab {
     ) -> Result<JsValue, JsError> {
         let language = language(words);
         object(&match analyse(&plain::value(design), samples) {
-            Ok(current) => {
-                let report = PageReport::of(&current, language);
+            Ok((current, second)) => {
+                let report = PageReport::of(&current, second.as_ref(), language);
                 self.current = Some(Rc::new(current));
+                self.second = second;
                 Opened::Report(Box::new(report))
             }
             Err(error) => Opened::Error(speak(language, &error)),
         })
     }
 
-    /// The cures of each finding of the current cam, in their order. Slower than an analysis: for when the hand rests.
+    /// The cures of each finding of the current cam, then of the second one, in their order. Slower than an analysis: for when the hand rests.
     ///
     /// # Errors
     /// Never, for any current cam.
     #[wasm_bindgen(unchecked_return_type = "Cure[][]")]
     pub fn cures(&self, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
-        object(&self.current.as_ref().map_or_else(Vec::new, |current| cures(current, language(words))))
+        let cams = self.current.as_deref().into_iter().chain(&self.second);
+        object(&cams.flat_map(|current| cures(current, language(words))).collect::<Vec<_>>())
     }
 
     /// A column of the current cam, `samples` + 1 values; empty when it does not apply.
-    pub fn column(&self, #[wasm_bindgen(unchecked_param_type = "ColumnName")] name: &str) -> Vec<f64> {
+    pub fn column(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "ColumnName")] name: &str,
+        second: Option<bool>,
+    ) -> Vec<f64> {
         let wanted = Column::ALL.into_iter().find(|column| column.name() == name);
         let values = self
-            .current
-            .as_ref()
+            .cam(second)
             .zip(wanted)
             .and_then(|(current, wanted)| column(&current.design, &current.analysis, wanted));
         values.unwrap_or_default()
@@ -100,9 +107,9 @@ impl Lab {
         self.current.as_ref().map_or_else(Vec::new, |current| limits(current, border))
     }
 
-    /// Exact values at θ (degrees, any turn), in the order of the `INSTANT` table.
-    pub fn at(&self, theta: f64, out: &mut [f64]) {
-        match &self.current {
+    /// Exact values at θ (degrees, any turn; length for a cam that travels), in the order of the `INSTANT` table.
+    pub fn at(&self, theta: f64, out: &mut [f64], second: Option<bool>) {
+        match self.cam(second) {
             Some(current) => instant::fill(&current.cam, current.design.omega(), theta, out),
             None => out.fill(f64::NAN),
         }
@@ -115,9 +122,19 @@ impl Lab {
         self.current.clone()
     }
 
-    /// The current cam, for the diagrams.
+    /// The current cam, or the second one of its pair.
+    fn cam(&self, second: Option<bool>) -> Option<&Current> {
+        if second == Some(true) { self.second.as_ref() } else { self.current.as_deref() }
+    }
+
+    /// The current cam.
     pub(crate) fn current(&self) -> Result<&Current, JsError> {
-        self.current.as_deref().ok_or_else(|| JsError::new("no cam has been opened"))
+        self.drawn(None)
+    }
+
+    /// The current cam, or the second one of its pair, for the diagrams.
+    pub(crate) fn drawn(&self, second: Option<bool>) -> Result<&Current, JsError> {
+        self.cam(second).ok_or_else(|| JsError::new("no such cam has been opened"))
     }
 }
 
@@ -131,9 +148,16 @@ fn limits(current: &Current, border: usize) -> Vec<f64> {
     joint.map_or_else(Vec::new, |joint| side(joint.before).chain(side(joint.after)).collect())
 }
 
-fn analyse(value: &Value, samples: usize) -> Result<Current, DesignError> {
+fn analyse(value: &Value, samples: usize) -> Result<(Current, Option<Current>), DesignError> {
     let (design, cam) = Design::open(value)?;
-    let analysis = Analysis::of(&cam, samples.clamp(1, MOST_SAMPLES));
-    let report = Report::of(&design, &cam, &analysis);
-    Ok(Current { design, cam, analysis, report })
+    let second = design.second(&cam)?.map(|second| Current::of(design.clone(), second, samples));
+    Ok((Current::of(design, cam, samples), second))
+}
+
+impl Current {
+    fn of(design: Design, cam: Cam, samples: usize) -> Self {
+        let analysis = Analysis::of(&cam, samples.clamp(1, MOST_SAMPLES));
+        let report = Report::of(&design, &cam, &analysis);
+        Self { design, cam, analysis, report }
+    }
 }

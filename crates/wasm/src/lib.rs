@@ -14,6 +14,7 @@ mod report;
 
 pub use lab::Lab;
 
+use levalab_core::Tie;
 use levalab_format::{Design, DesignError, link};
 use levalab_words::Language;
 use serde::Serialize;
@@ -21,7 +22,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { Catalogue, ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read } from "../types.d.ts";
+import type { Catalogue, ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
 "#;
 
 /// What is wrong, where, in the language of the page.
@@ -29,6 +30,14 @@ import type { Catalogue, ChartStyle, ColumnName, Cure, Design, Diagram, Language
 pub struct Failure {
     path: String,
     message: String,
+}
+
+/// The room for a second cam tied in one way: a good value, and between which values it has its place (no greatest for a distance).
+#[derive(Serialize)]
+struct PageRoom {
+    value: f64,
+    least: f64,
+    most: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -78,6 +87,35 @@ pub fn read_design(
         Ok(design) => Read::Design(Box::new(design)),
         Err(error) => Read::Error(speak(language(words), &error)),
     })
+}
+
+/// The room that a design leaves for a second cam tied by `distance`, `angle` or `base_radius`; nothing when there is none, or
+/// the first cam is no good.
+///
+/// # Errors
+/// Never: no room is an answer.
+#[wasm_bindgen(unchecked_return_type = "Room | null")]
+pub fn room_for_second(
+    design: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "TieKey")] key: &str,
+) -> Result<JsValue, JsError> {
+    let mut value = plain::value(design);
+    // A pair that cannot be is asked about as well; only the radius of its second roller counts.
+    let pair = value.as_object_mut().and_then(|design| design.remove("conjugate"));
+    let radius =
+        pair.and_then(|pair| ["roller_radius", "face_radius"].into_iter().find_map(|key| pair.get(key)?.as_f64()));
+    let tie = match key {
+        "distance" => Tie::Distance(0.0),
+        "angle" => Tie::Angle(0.0),
+        _ => Tie::BaseRadius(0.0),
+    };
+    let room = Design::from_value(&value).and_then(|design| design.room_for_second(tie, radius));
+    let finite = |value: f64| value.is_finite().then_some(value);
+    object(&room.ok().flatten().map(|room| PageRoom {
+        value: room.tie.value(),
+        least: room.least,
+        most: finite(room.most),
+    }))
 }
 
 fn speak(language: Language, error: &DesignError) -> Failure {

@@ -1,17 +1,20 @@
 //! What an analysis tells the page, shaped for JavaScript.
 
 use crate::lab::Current;
-use levalab_core::{Body, Column, Element};
+use levalab_core::{Body, Cam, Column, Element, Segment, angle_between};
 use levalab_format::report::{Range, degrees, level_name};
 use levalab_format::{Design, DesignCure, Edit, link};
 use levalab_words::Language;
 use serde::{Serialize, Serializer};
-use std::f64::consts::TAU;
 
 /// The answer to a good design.
 #[derive(Serialize)]
 pub struct PageReport {
     link: String,
+    kind: &'static str,
+    /// What the cursor runs through: 360°, or the length of a cam that travels.
+    span: f64,
+    travels: bool,
     verdict: Verdict,
     #[serde(serialize_with = "as_map")]
     summary: Vec<(&'static str, Range)>,
@@ -19,22 +22,39 @@ pub struct PageReport {
     tightest_hollow: Option<Place>,
     joints: Vec<PageJoint>,
     borders: Vec<f64>,
+    /// The segments of a motion that is ready-made.
+    program: Option<Vec<PageSegment>>,
     omega: f64,
     period: f64,
     pressure_angle_limit: f64,
     mechanism: Mechanism,
     units: Units,
+    /// The second cam of a pair.
+    conjugate: Option<Box<PageReport>>,
+    /// Angle between the arms of a pair that swings, degrees.
+    pair_angle: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct PageSegment {
+    law: &'static str,
+    beta: f64,
+    rise: f64,
 }
 
 #[derive(Serialize)]
 struct Verdict {
     level: &'static str,
     headline: String,
+    /// Which cam of a pair the headline is about, 1 or 2.
+    cam: Option<u8>,
     findings: Vec<PageFinding>,
 }
 
 #[derive(Serialize)]
 struct PageFinding {
+    /// Which cam of a pair it is about, 1 or 2.
+    cam: Option<u8>,
     code: &'static str,
     severity: &'static str,
     theta: f64,
@@ -102,13 +122,35 @@ struct Units {
 }
 
 impl PageReport {
-    /// Everything the page shows of a cam, but for its columns and its cures.
-    pub fn of(current: &Current, language: Language) -> Self {
+    /// Everything the page shows of a cam, or of both cams of a pair, but for columns and cures. The verdict is on both.
+    pub fn of(first: &Current, second: Option<&Current>, language: Language) -> Self {
+        let link = link::encode(&first.design).unwrap_or_default();
+        let Some(second) = second else { return Self::of_one(first, link, Verdict::of(first, None, language)) };
+        let verdict = |current: &Current, number: u8| Verdict::of(current, Some(number), language);
+        let mut both = verdict(first, 1);
+        let theirs = verdict(second, 2);
+        if second.report.level > first.report.level {
+            both = Verdict { findings: both.findings, ..verdict(second, 2) };
+        } else if both.headline == theirs.headline {
+            both.cam = None;
+        }
+        both.findings.extend(theirs.findings);
+        Self {
+            conjugate: Some(Box::new(Self::of_one(second, String::new(), verdict(second, 2)))),
+            pair_angle: angle_between(&first.cam, &second.cam).map(f64::to_degrees),
+            ..Self::of_one(first, link, both)
+        }
+    }
+
+    fn of_one(current: &Current, link: String, verdict: Verdict) -> Self {
         let Current { design, cam, analysis, report } = current;
         let omega = design.omega();
         Self {
-            link: link::encode(design).unwrap_or_default(),
-            verdict: Verdict::of(current, language),
+            link,
+            kind: design.kind.word(),
+            span: design.kind.travel().unwrap_or(360.0),
+            travels: design.kind.travel().is_some(),
+            verdict,
             summary: summary(current),
             least_convex: Place::of(analysis.summary.least_convex, design),
             tightest_hollow: Place::of(analysis.summary.tightest_hollow, design),
@@ -122,11 +164,14 @@ impl PageReport {
                 })
                 .collect(),
             borders: report.borders.clone(),
+            program: design.kind.generator().map(|_| segments(cam)),
             omega,
-            period: TAU / omega,
+            period: cam.program.span() / omega,
             pressure_angle_limit: degrees(cam.follower.pressure_angle_limit()),
             mechanism: Mechanism::of(current),
             units: Units::of(current),
+            conjugate: None,
+            pair_angle: None,
         }
     }
 }
@@ -135,6 +180,11 @@ impl Place {
     fn of(found: Option<(f64, f64)>, design: &Design) -> Option<Self> {
         found.filter(|(value, _)| value.is_finite()).map(|(value, at)| Self { value, at: design.place(at) })
     }
+}
+
+fn segments(cam: &Cam) -> Vec<PageSegment> {
+    let told = |segment: &Segment| PageSegment { law: segment.law.id, beta: degrees(segment.beta), rise: segment.rise };
+    cam.program.segments().iter().map(told).collect()
 }
 
 /// Extremes by the name of their column, and of V, A and J, the derivatives by time.
@@ -163,9 +213,10 @@ pub fn cures(current: &Current, language: Language) -> Vec<Vec<PageCure>> {
 }
 
 impl Verdict {
-    fn of(current: &Current, language: Language) -> Self {
+    fn of(current: &Current, cam: Option<u8>, language: Language) -> Self {
         let Current { design, report, .. } = current;
         let findings = report.findings.iter().map(|finding| PageFinding {
+            cam,
             code: finding.kind.code(),
             severity: level_name(finding.level),
             theta: finding.theta,
@@ -178,6 +229,7 @@ impl Verdict {
         Self {
             level: level_name(report.level),
             headline: levalab_words::headline(language, report),
+            cam,
             findings: findings.collect(),
         }
     }
@@ -189,17 +241,18 @@ fn as_map<S: Serializer>(ranges: &[(&'static str, Range)], serializer: S) -> Res
 
 impl Mechanism {
     fn of(current: &Current) -> Self {
-        let Current { design, cam, analysis, .. } = current;
+        let Current { cam, analysis, .. } = current;
         let follower = &cam.follower;
         let (motion, contact) = levalab_format::motion_and_contact(follower.kind);
         let value = |key: &str| follower.value(key);
         let radius = follower.disc_radius();
         // Whole degrees are enough for where to put the guide.
-        let around = || (0..360).map(|degree| cam.at(f64::from(degree).to_radians()).1);
+        let part = cam.program.span() / 360.0;
+        let around = || (0..=360).map(|degree| cam.at(f64::from(degree) * part).1);
         Self {
             sense: follower.rotation.sigma(),
-            base_radius: design.base_radius,
-            prime_radius: (!follower.is_flat()).then_some(design.base_radius + radius),
+            base_radius: follower.base_radius,
+            prime_radius: (!follower.is_flat()).then_some(follower.base_radius + radius),
             motion,
             contact,
             roller_radius: radius,
@@ -226,11 +279,12 @@ impl Units {
     fn of(current: &Current) -> Self {
         let length = current.design.length_unit.symbol();
         let s = if current.design.is_oscillating() { "°" } else { length };
+        let travels = current.design.kind.travel().is_some();
         Self {
             s: s.into(),
-            v: format!("{s}/rad"),
-            a: format!("{s}/rad²"),
-            j: format!("{s}/rad³"),
+            v: if travels { String::new() } else { format!("{s}/rad") },
+            a: if travels { format!("1/{length}") } else { format!("{s}/rad²") },
+            j: if travels { format!("1/{length}²") } else { format!("{s}/rad³") },
             velocity: format!("{s}/s"),
             acceleration: format!("{s}/s²"),
             jerk: format!("{s}/s³"),

@@ -1,0 +1,259 @@
+/**
+ * What only some cams need in the design panel: the motion of a cam of constant breadth, and the second cam of a pair.
+ *
+ * @import { Design, Generator, ShellContext, TieKey } from "./types.d.ts"
+ * @import { NumberField } from "./number-field.js"
+ */
+import { h, symbol, write } from "./dom.js";
+import { mark } from "./help-mark.js";
+import { changeGenerator } from "./kind-change.js";
+import { pairDrawing } from "./kind-drawings.js";
+import { createNumberField, lengthStep } from "./number-field.js";
+import { breadthTravel } from "./program.js";
+import { addStrings } from "./strings/index.js";
+import { kindsEn } from "./strings/kinds.en.js";
+import { kindsEs } from "./strings/kinds.es.js";
+
+addStrings({ en: kindsEn, es: kindsEs });
+
+/** Rows of a ready-made motion that are listed; a longer one repeats itself. */
+const LISTED = 4;
+
+/** @param {ShellContext} context */
+export function createBreadthPanel(context) {
+  const { store, catalogue, t, format } = context;
+  const select = h("select", { id: "field-generator" }, ...catalogue.generators.map((value) => h("option", { value })));
+  const label = h("label", { for: select.id });
+  const sides = h("select", { id: "field-sides" }, ...catalogue.polygons.map(({ sides: value }) => h("option", { value }, String(value))));
+  const sidesLabel = h("label", { for: sides.id });
+  const rule = h("p", { class: "hint rule" });
+  const rows = h("ol", { class: "ready" });
+  const note = h("p", { class: "hint" });
+  const error = h("p", { class: "error", hidden: true });
+  const root = h("fieldset", { class: "breadth" }, h("legend", { class: "unseen" }), h("div", { class: "choices-row" }, label, select, sidesLabel, sides), error, rule, rows, note);
+
+  const polygon = () => catalogue.polygons.find(({ sides: value }) => String(value) === sides.value) ?? { sides: 3, least: 0 };
+  const adopt = () => store.edit(t("edit.generator"), (draft) => changeGenerator(draft, /** @type {Generator} */ (select.value), polygon()));
+  select.addEventListener("change", adopt);
+  sides.addEventListener("change", adopt);
+
+  function update() {
+    const { design, report, error: wrong, stale } = store.state;
+    const { cam, length_unit: unit } = design;
+    root.hidden = cam.kind !== "constant-breadth";
+    if (root.hidden) return;
+    select.value = cam.generator ?? "harmonic";
+    if (cam.sides !== undefined) sides.value = String(cam.sides);
+    for (const part of [sides, sidesLabel]) part.hidden = cam.generator !== "circular-arc";
+    const length = (/** @type {number} */ value) => format.number(value, { unit });
+    write(rule, t("breadth.rule", { breadth: format.number(cam.breadth), radius: format.number(cam.base_radius), travel: length(breadthTravel(design)) }));
+    const own = wrong && /generator|sides/.test(wrong.path) ? wrong.message : "";
+    error.hidden = own === "";
+    write(error, own);
+    const program = (!stale && report.program) || [];
+    rows.hidden = program.length === 0;
+    rows.replaceChildren(...program.slice(0, LISTED).map(({ law, beta, rise }) => h("li", {}, h("span", {}, t(law === "circular-arc" ? "breadth.arc" : `law.${law}`)), h("span", {}, format.number(round(beta), { unit: "°" })), h("span", {}, rise === 0 ? "" : format.number(round(rise), { unit })))));
+    write(note, cam.generator === "mirror" ? t("breadth.mirror") : t(program.length > LISTED ? "breadth.ready.more" : "breadth.ready", { count: program.length - LISTED }));
+  }
+
+  function speak() {
+    root.firstElementChild?.replaceChildren(t("breadth.title"));
+    label.textContent = t("breadth.generator");
+    sidesLabel.textContent = t("breadth.sides");
+    for (const option of select.options) option.textContent = t(`generator.${option.value}`);
+    update();
+  }
+
+  speak();
+  store.subscribe(["report"], update);
+  return { root, update, speak };
+}
+
+/**
+ * @param {ShellContext} context
+ * @param {HTMLButtonElement} opener  the button that adds the second cam, to which the focus returns
+ */
+export function createPairPanel(context, opener) {
+  const { store, t, format, room, announce } = context;
+  const legend = h("legend");
+  const title = h("span");
+  const remove = h("button", { type: "button", class: "quiet" });
+  legend.append(title, remove);
+  const kind = h("select", { id: "field-tie" }, h("option", { value: "angle" }), h("option", { value: "base_radius" }));
+  const kindLabel = h("label", { for: kind.id, class: "unseen" });
+  const fields = h("div", { class: "fields" });
+  const picture = h("div", { class: "pair-drawing" });
+  const hint = h("p", { class: "hint" });
+  const advice = h("button", { type: "button", class: "cure", hidden: true });
+  const problem = h("p", { class: "error", hidden: true });
+  const root = h("fieldset", { class: "pair" }, legend, h("div", { class: "drawing-and-fields" }, picture, h("div", {}, kindLabel, kind, fields)), problem, advice, hint);
+  /** @type {{ key: string, field: NumberField }[]} */
+  let shown = [];
+  let built = "";
+  /** The tie that the button of advice sets. @type {{ key: TieKey, value: number } | null} */
+  let advised = null;
+
+  /** @param {Readonly<Design>} design @returns {TieKey} */
+  const tieOf = ({ conjugate, follower }) => (follower.motion === "translating" ? "distance" : conjugate?.base_radius === undefined ? "angle" : "base_radius");
+  /** @param {Readonly<Design>} design */
+  const radiusKey = ({ follower }) => (["roller_radius", "face_radius"].find((key) => key in follower) ?? null);
+  /** @param {TieKey} key */
+  const unitOf = (key) => (key === "angle" ? "°" : store.state.design.length_unit);
+
+  /** One click: the second cam with a tie that works, or the reason why there is none. */
+  function add() {
+    const { design } = store.state;
+    const keys = /** @type {TieKey[]} */ (design.follower.motion === "translating" ? ["distance"] : ["angle", "base_radius"]);
+    for (const key of keys) {
+      const found = room(design, key);
+      if (!found) continue;
+      store.edit(t("edit.pair"), (draft) => (draft.conjugate = { [key]: found.value }));
+      refused(false);
+      update();
+      shown[0]?.field.input.focus();
+      announce(t("pair.added"));
+      return;
+    }
+    refused(true);
+    announce(t("pair.impossible"));
+  }
+
+  /** @param {boolean} impossible */
+  function refused(impossible) {
+    root.classList.toggle("refused", impossible);
+    problem.hidden = !impossible;
+    write(problem, impossible ? t("pair.impossible") : "");
+    root.hidden = !impossible && store.state.design.conjugate === undefined;
+  }
+
+  remove.addEventListener("click", () => {
+    if (store.state.design.conjugate) store.edit(t("edit.pair.removed"), (draft) => delete draft.conjugate);
+    refused(false);
+    update();
+    opener.hidden = false;
+    opener.focus();
+  });
+  kind.addEventListener("change", () => {
+    const key = /** @type {TieKey} */ (kind.value);
+    const { report } = store.state;
+    const same = key === "angle" ? report.pair_angle : report.conjugate?.mechanism.base_radius;
+    const value = same ?? room(store.state.design, key)?.value;
+    if (value === undefined) return;
+    store.edit(t("edit.pair"), (draft) => {
+      const radius = radiusKey(draft);
+      const kept = radius === null ? undefined : draft.conjugate?.[/** @type {"roller_radius"} */ (radius)];
+      draft.conjugate = { [key]: Number(value.toPrecision(12)), ...(radius !== null && kept !== undefined ? { [radius]: kept } : {}) };
+    });
+  });
+  advice.addEventListener("click", () => {
+    if (!advised) return;
+    const { key, value } = advised;
+    store.edit(t("edit.pair"), (draft) => (draft.conjugate = { ...draft.conjugate, [key]: value }));
+    shown[0]?.field.input.focus();
+  });
+
+  /**
+   * @param {string} key
+   * @param {string} sign
+   */
+  function createField(key, sign) {
+    const own = /** @type {TieKey | "roller_radius" | "face_radius"} */ (key);
+    const isRadius = key.endsWith("r_radius") || key === "face_radius";
+    const field = createNumberField(context, {
+      id: `field-pair-${key}`,
+      label: symbol(sign),
+      name: () => t(`pair.${key}`),
+      unit: () => unitOf(/** @type {TieKey} */ (key)),
+      read: (design) => design.conjugate?.[own] ?? (isRadius ? Number(design.follower[key]) : undefined),
+      write: (draft, value) => (draft.conjugate = { ...draft.conjugate, [own]: value }),
+      step: (design) => (key === "angle" ? 1 : lengthStep(design)),
+      path: () => `conjugate.${key}`,
+      highlight: () => ({ parameter: `conjugate.${key}` }),
+    });
+    return { key, field };
+  }
+
+  function update() {
+    const { design, error } = store.state;
+    if (root.classList.contains("refused") && (error || design !== refusedFor)) {
+      if (refusedFor !== null && design !== refusedFor) refused(false);
+    }
+    refusedFor = root.classList.contains("refused") ? design : null;
+    const pair = design.conjugate;
+    root.hidden = pair === undefined && !root.classList.contains("refused");
+    if (pair === undefined) return;
+    if (root.classList.contains("refused")) refused(false);
+    const [tie, radius] = [tieOf(design), radiusKey(design)];
+    const state = [tie, radius, design.follower.contact].join();
+    if (state !== built) {
+      built = state;
+      shown = [createField(tie, { distance: "D", angle: "Γ", base_radius: "R_b2" }[tie]), ...(radius ? [createField(radius, "R_f2")] : [])];
+      fields.replaceChildren(...shown.map(({ key, field }) => h("div", { class: "field" }, field.label, field.input, field.unit, key === "angle" ? null : mark(key, `field-pair-${key}-label`), field.error)));
+      picture.replaceChildren(pairDrawing(design.follower, tie));
+      kind.hidden = tie === "distance";
+      kind.value = tie;
+      speak();
+    }
+    for (const { field } of shown) {
+      field.update(store.state);
+      field.speakUnit();
+    }
+    const wrong = error?.path.startsWith("conjugate") ? error : null;
+    const orphan = wrong && !shown.some(({ key }) => wrong.path === `conjugate.${key}`);
+    problem.hidden = !orphan;
+    write(problem, orphan ? wrong.message : "");
+    advise(wrong !== null, tie);
+    const { pair_angle: angle, conjugate } = store.state.report;
+    const told = [];
+    if (!error && conjugate) {
+      if (tie !== "base_radius") told.push(t("pair.told.radius", { value: format.quantity(conjugate.mechanism.base_radius, { trim: true, unit: design.length_unit }) }));
+      if (tie === "base_radius" && angle !== null) told.push(t("pair.told.angle", { value: format.number(round(angle), { unit: "°" }) }));
+    }
+    write(hint, told.join(" "));
+  }
+  /** @type {Readonly<Design> | null} */
+  let refusedFor = null;
+  let asked = 0;
+
+  /**
+   * Where a second cam has its place, when the one asked for has none: looked for when the hand rests.
+   * @param {boolean} wanted
+   * @param {TieKey} key
+   */
+  function advise(wanted, key) {
+    clearTimeout(asked);
+    if (!wanted) {
+      advice.hidden = true;
+      return;
+    }
+    asked = window.setTimeout(() => {
+      const found = room(store.state.design, key);
+      advised = found && { key, value: found.value };
+      advice.hidden = false;
+      advice.disabled = found === null;
+      const number = (/** @type {number} */ value) => format.quantity(value, { trim: true, unit: unitOf(key) });
+      const range = found === null ? "" : found.most === null ? t("pair.from", { least: number(found.least) }) : t("pair.between", { least: number(found.least), most: number(found.most) });
+      write(advice, found === null ? t("pair.impossible") : t("pair.advice", { range, value: format.number(found.value, { unit: unitOf(key) }) }));
+    }, 250);
+  }
+
+  function speak() {
+    write(title, t("pair.title"));
+    write(remove, t("pair.remove"));
+    write(kindLabel, t("pair.tie"));
+    for (const option of kind.options) option.textContent = t(`pair.by.${option.value}`);
+    for (const { key, field } of shown) {
+      field.speak();
+      if (field.label) field.label.title = `${t(`pair.${key}`)}. ${t(`pair.${key}.hint`)}`;
+    }
+    picture.firstElementChild?.setAttribute("aria-label", t("pair.title"));
+  }
+
+  speak();
+  update();
+  store.subscribe(["report", "error"], update);
+  return { root, update, speak: () => { speak(); update(); }, add };
+}
+
+/** @param {number} value */
+const round = (value) => Math.round(value * 1e4) / 1e4;
