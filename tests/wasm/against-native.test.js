@@ -84,13 +84,15 @@ function compare(name, found, expected) {
 for (const example of examples) {
   test(`${example}: a tournament tells what each design tells on its own`, () => {
     const lab = new Lab();
-    lab.open(JSON.parse(readFileSync(path.join(root, "examples", example), "utf8")), SAMPLES, "en");
+    const design = JSON.parse(readFileSync(path.join(root, "examples", example), "utf8"));
+    lab.open(design, SAMPLES, "en");
     const { laws } = catalogue();
     const numbers = lab.tournament();
     const width = 2 + lab.figures().length;
     assert.deepEqual(numbers.slice(2, width), lab.figures());
     const count = numbers.length / width;
-    assert(Number.isInteger(count) && count > 5, `${count} contenders`);
+    // A motion that is ready-made has no law to change.
+    assert(Number.isInteger(count) && (design.segments ? count > 5 : count === 1), `${count} contenders`);
     for (let i = 1; i < count; i++) {
       const [place, , ...figures] = numbers.slice(i * width, (i + 1) * width);
       const { id } = laws[place];
@@ -101,7 +103,9 @@ for (const example of examples) {
       assert.equal(["acceptable", "low-speed", "unacceptable"].indexOf(opened.report.verdict.level), figures[0], id);
       const { v, pressure_angle: angle } = opened.report.summary;
       if (Number.isFinite(figures[2])) assert.equal(Math.max(Math.abs(v?.min ?? NaN), Math.abs(v?.max ?? NaN)), figures[2], id);
-      assert.deepEqual([angle?.min, angle?.max], figures.slice(8, 10), id);
+      // Of a pair, the worse of both cams.
+      const other = opened.report.conjugate?.summary.pressure_angle ?? angle;
+      assert.deepEqual([Math.min(angle?.min ?? NaN, other?.min ?? NaN), Math.max(angle?.max ?? NaN, other?.max ?? NaN)], figures.slice(8, 10), id);
     }
   });
 }
