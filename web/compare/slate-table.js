@@ -103,9 +103,8 @@ export function createSlateTable({ store, lab, t, format }, slate, say) {
   function figures(design, report, figures, length, travel) {
     const own = length ? undefined : report.units.length;
     const sizes = GEOMETRY.flatMap(([key, name]) => (typeof design.follower[key] === "number" ? [[name, design.follower[key]]] : []));
-    /** @type {Record<string, unknown>} */
-    const cam = design.cam;
-    const geometry = [["Rb", cam["base_radius"]], ["dc", cam["breadth"]], ["ℓ", cam["length"]], ...sizes].filter(([, value]) => typeof value === "number");
+    const { cam } = design;
+    const geometry = [["Rb", cam.base_radius], ["dc", cam.breadth], ["ℓ", cam.length], ...sizes].filter(([, value]) => typeof value === "number");
     const peak = (/** @type {"v" | "a" | "j" | "V" | "A" | "J"} */ name) => quantity(format, figures[FIGURES[name]], travel ? undefined : report.units[name]);
     const [least, greatest] = [figures[FIGURES.least], figures[FIGURES.greatest]];
     return [

@@ -188,7 +188,7 @@ export function createSlate({ store, lab, t, catalogue }, engine) {
 }
 
 /** A cam that travels has no place among those that turn. @param {Design} design */
-export const turns = (design) => design.cam.base_radius > 0;
+export const turns = (design) => design.cam.kind !== "translating";
 
 /** The profile in the cam's own frame. @param {Lab} lab */
 function outlineOf(lab) {
