@@ -122,6 +122,7 @@ export function createPairPanel(context, opener) {
   function refused(impossible) {
     root.classList.toggle("refused", impossible);
     problem.hidden = !impossible;
+    write(remove, t(impossible ? "banner.close" : "pair.remove"));
     write(problem, impossible ? t("pair.impossible") : "");
     root.hidden = !impossible && store.state.design.conjugate === undefined;
   }
@@ -239,7 +240,7 @@ export function createPairPanel(context, opener) {
 
   function speak() {
     write(title, t("pair.title"));
-    write(remove, t("pair.remove"));
+    write(remove, t(root.classList.contains("refused") ? "banner.close" : "pair.remove"));
     write(kindLabel, t("pair.tie"));
     for (const option of kind.options) option.textContent = t(`pair.by.${option.value}`);
     for (const { key, field } of shown) {

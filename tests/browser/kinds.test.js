@@ -121,7 +121,7 @@ test("a pair too close says so and gives what works; where none is possible the 
   await page.goto(`${page.url().split("#")[0]}#${LINKS.impossible}`);
   await eventually(() => fragment(page), (link) => assert.equal(link, LINKS.impossible));
   await addSecond(page).click();
-  await becomes(() => page.locator(".pair .error").first().textContent(), en("pair.impossible"));
+  await becomes(() => page.locator(".pair > .error").textContent(), en("pair.impossible"));
   assert.equal(await fragment(page), LINKS.impossible);
 });
 

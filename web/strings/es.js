@@ -62,10 +62,10 @@ export const es = {
   "edit.spread": "ángulos repartidos",
 
   "design.kind": "Leva",
-  "kind.rotating": "De placa, giratoria",
+  "kind.rotating": "Giratoria",
   "kind.grooved": "De ranura",
-  "kind.constant-breadth": "De anchura constante",
-  "kind.translating": "De traslación (cuña)",
+  "kind.constant-breadth": "Anchura constante",
+  "kind.translating": "Traslación (cuña)",
   "pair.add": "+ Segunda leva",
   "design.follower": "Seguidor",
   "design.geometry": "Geometría y velocidad",
