@@ -54,9 +54,15 @@ mod tests {
     }
 
     #[test]
-    fn examples_are_named_after_themselves() {
+    fn examples_from_books_are_named_after_themselves_and_all_differ() {
+        let mut titles = Vec::new();
         for (name, _) in EXAMPLES {
-            assert_eq!(example(name).map(|design| design.title), Some(format!("Example {name}")));
+            let title = example(name).expect(name).title;
+            // Those of our own say what they are.
+            let of_our_own = name.chars().all(|c| c.is_ascii_uppercase());
+            assert!(of_our_own != (title == format!("Example {name}")), "{name}: {title}");
+            assert!(!title.is_empty() && !titles.contains(&title), "{title}");
+            titles.push(title);
         }
         assert_eq!(example("nothing"), None);
     }
