@@ -30,7 +30,7 @@ export function createBreadthPanel(context) {
   const rows = h("ol", { class: "ready" });
   const note = h("p", { class: "hint" });
   const error = h("p", { class: "error", hidden: true });
-  const root = h("fieldset", { class: "breadth" }, h("legend", { class: "unseen" }), h("div", { class: "choices-row" }, label, select, sidesLabel, sides), error, rule, rows, note);
+  const root = h("fieldset", { class: "breadth" }, h("legend", { class: "unseen" }), h("div", { class: "choices-row" }, label, select, h("span", { class: "sides" }, sidesLabel, sides)), error, rule, rows, note);
 
   const polygon = () => catalogue.polygons.find(({ sides: value }) => String(value) === sides.value) ?? { sides: 3, least: 0 };
   const adopt = () => store.edit(t("edit.generator"), (draft) => changeGenerator(draft, /** @type {Generator} */ (select.value), polygon()));

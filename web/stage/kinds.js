@@ -355,7 +355,7 @@ function framed(report, lab, { gap, radius, radius2 = radius, reach }) {
   }
   const aside = w + wall + 2.2 * t;
   // Room for the dimension and its number.
-  include(box, e + aside + 0.5 * reach, 0);
+  include(box, e + aside + 0.62 * reach, 0);
   /** @type {Follower} */
   const follower = { body: [ring, ...lugs, stem], joints: [], ground, hatching: hatchingPath, roller: contact === "roller" ? radius : 0, spring: null, box, place: put };
   return { follower, measure };
