@@ -109,11 +109,12 @@ fn terms_of(pieces: &[Piece], scale: f64) -> Option<Vec<Terms>> {
 
 impl Terms {
     fn of(form: &Form) -> Option<Self> {
-        let curve = match form {
-            Form::Curve(curve) => curve,
-            Form::Series(_) => {
-                &Curve::polynomial(form.coefficients().filter(|all| all.len() <= MAX_COEFFICIENTS)?.as_slice())
-            }
+        let polynomial;
+        let curve = if let Form::Curve(curve) = form {
+            curve
+        } else {
+            polynomial = Curve::polynomial(&form.coefficients().filter(|all| all.len() <= MAX_COEFFICIENTS)?);
+            &polynomial
         };
         let powers: Option<Vec<Exact>> = curve.coefficients().iter().map(|&c| Exact::of(c)).collect();
         let waves: Option<Vec<Wave>> = curve.waves().iter().map(Wave::of).collect();
