@@ -27,7 +27,8 @@ pub fn law(id: &str) -> Option<&'static LawWords> {
     LAWS.iter().find(|words| words.id == id)
 }
 
-const LAWS: &[LawWords] = &[
+/// Those of every law, also of one that is yet to come.
+pub const LAWS: &[LawWords] = &[
     LawWords {
         id: "dwell",
         idea: two(
@@ -349,7 +350,7 @@ const LAWS: &[LawWords] = &[
             "To shape a move by hand: equal ordinates at an end make it rest there.",
             "Para dar forma a un movimiento a mano: unas ordenadas iguales en un extremo hacen que allí repose.",
         ),
-        formulas: &["y = p_0 (1 - x)^n + n p_1 x (1 - x)^(n - 1) + … + p_n x^n", "y'_0 = n(p_1 - p_0)"],
+        formulas: &["y = p_0 (1 - x)^n + n p_1 x (1 - x)^(n - 1) + … + p_n x^n", "y'(0) = n(p_1 - p_0)"],
         source: "G. Farin, Curves and Surfaces for CAGD",
     },
     LawWords {

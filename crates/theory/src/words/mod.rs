@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn every_formula_can_be_read() {
-        let texts = LAWS.iter().filter_map(|law| laws::law(law.id)).flat_map(|words| [words.idea, words.use_it]);
+        let texts = laws::LAWS.iter().flat_map(|words| [words.idea, words.use_it]);
         let concepts = [concepts::MOTION, concepts::GEOMETRY, concepts::KINDS];
         let texts = texts.chain(concepts.into_iter().flatten().map(|concept| concept.text));
         let terms = terms::GROUPS.iter().flat_map(|group| group.terms);
@@ -78,7 +78,9 @@ mod tests {
                 assert!(parse(formula).is_ok(), "{formula}");
             }
         }
-        for formula in terms.filter_map(|term| term.formula) {
+        let symbols = terms.clone().map(|term| term.symbol).filter(|symbol| !symbol.is_empty());
+        let of_laws = laws::LAWS.iter().flat_map(|words| words.formulas).copied();
+        for formula in terms.filter_map(|term| term.formula).chain(symbols).chain(of_laws) {
             assert!(parse(formula).is_ok(), "{formula}");
         }
     }
@@ -164,5 +166,20 @@ mod tests {
             }
         }
         assert!(asked >= 4, "only {asked} marks are found");
+    }
+
+    #[test]
+    fn every_page_can_be_written_and_leads_to_its_sections() {
+        let labels: crate::html::Labels = known_labels().into_iter().map(|key| (key, "<label>".to_owned())).collect();
+        let in_languages = ["en", "es"].map(|tag| (tag.to_owned(), labels.clone()));
+        let pages = crate::pages(&crate::Assets { labels: in_languages.into(), ..Default::default() });
+        assert_eq!(pages.len(), 6);
+        for (name, html) in pages {
+            assert!(!html.contains("<label>"), "{name}: a label is not escaped");
+            for place in html.split("href=\"#").skip(1).filter_map(|rest| rest.split_once('"')).map(|(place, _)| place)
+            {
+                assert!(html.contains(&format!("id=\"{place}\"")), "{name}: #{place} leads nowhere");
+            }
+        }
     }
 }
