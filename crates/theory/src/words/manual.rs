@@ -97,6 +97,18 @@ Cada una de las {verdict.findings} dice qué está mal, dónde y cuánto; sus á
         ),
     },
     Screen {
+        id: "compare",
+        name: two("Compare", "Comparar"),
+        text: two(
+            "{compare.title} opens a panel with two views. Under {compare.view.slate}, {compare.pin} keeps the cam at hand: its curves stay in every diagram and its outline on the mechanism while you change the design or open another. The table puts geometry, peaks, $φ$, $ρ$ and verdict side by side; a pinned design can be renamed, moved, hidden, removed, or opened with {compare.load}.
+
+Under {compare.view.laws} the program at hand is moved by every law in turn, ranked by whichever column you choose; {compare.use} adopts a law and {compare.pin.short} keeps it for comparison.",
+            "{compare.title} abre un panel con dos vistas. En {compare.view.slate}, {compare.pin} conserva la leva actual: sus curvas quedan en todos los diagramas y su contorno sobre el mecanismo mientras cambia el diseño o abre otro. La tabla pone lado a lado geometría, máximos, $φ$, $ρ$ y veredicto; un diseño fijado se puede renombrar, mover, ocultar, quitar, o abrir con {compare.load}.
+
+En {compare.view.laws} el programa actual se mueve con cada una de las leyes, ordenadas por la columna que elija; {compare.use} adopta una ley y {compare.pin.short} la conserva para compararla.",
+        ),
+    },
+    Screen {
         id: "files",
         name: two("Links and files", "Enlaces y archivos"),
         text: two(
