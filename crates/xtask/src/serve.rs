@@ -2,15 +2,14 @@
 
 use std::{
     env, fs,
-    net::SocketAddr,
+    io::{self, BufRead, BufReader, Read, Write},
+    net::{SocketAddr, TcpListener, TcpStream},
     path::{Component, Path, PathBuf},
-    sync::Arc,
     thread,
     time::{Duration, SystemTime},
 };
 
-use anyhow::{Result, anyhow};
-use tiny_http::{Header, Request, Response, Server};
+use anyhow::{Context, Result};
 use walkdir::WalkDir;
 
 use crate::{
@@ -32,8 +31,11 @@ pub struct Options {
     release: bool,
 }
 
-/// Enough for a browser's parallel requests.
-const WORKERS: usize = 4;
+/// The longest head of a request that is read.
+const LONGEST_HEAD: u64 = 16 * 1024;
+
+/// How long a browser may keep a connection open before it asks for something.
+const PATIENCE: Duration = Duration::from_secs(20);
 
 /// How often the Rust sources are looked at.
 const WATCH: Duration = Duration::from_secs(1);
@@ -43,19 +45,19 @@ pub fn run(options: &Options) -> Result<()> {
     let build = if options.release { Build::Shipped } else { Build::Quick };
     wasm::build(build)?;
     theory::build()?;
-    let server = Arc::new(listen(options.port)?);
-    let address = server.server_addr().to_ip().ok_or_else(|| anyhow!("no address"))?;
-    announce(address, options.no_open);
-    for _ in 0..WORKERS {
-        let server = Arc::clone(&server);
-        thread::spawn(move || server.incoming_requests().for_each(answer));
-    }
+    let listener = listen(options.port)?;
+    announce(listener.local_addr().context("no address")?, options.no_open);
+    thread::spawn(move || {
+        // A thread for each connection, and each connection for one answer: no request ever waits for another.
+        for connection in listener.incoming().flatten() {
+            thread::spawn(move || drop(answer(connection)));
+        }
+    });
     watch(build)
 }
 
-fn listen(port: Option<u16>) -> Result<Server> {
-    let on =
-        |port| Server::http(SocketAddr::from(([127, 0, 0, 1], port))).map_err(|error| anyhow!("port {port}: {error}"));
+fn listen(port: Option<u16>) -> Result<TcpListener> {
+    let on = |port| TcpListener::bind(SocketAddr::from(([127, 0, 0, 1], port))).with_context(|| format!("port {port}"));
     match port {
         Some(port) => on(port),
         None => on(8080).or_else(|_| on(0)),
@@ -82,23 +84,30 @@ fn announce(address: SocketAddr, quiet: bool) {
     drop(open.arg(url).spawn());
 }
 
-fn answer(request: Request) {
-    let file = file_of(request.url(), project::root());
+/// Reads one request and answers it.
+fn answer(mut connection: TcpStream) -> io::Result<()> {
+    connection.set_read_timeout(Some(PATIENCE))?;
+    let mut head = BufReader::new(connection.try_clone()?.take(LONGEST_HEAD)).lines();
+    let request = head.next().unwrap_or_else(|| Ok(String::new()))?;
+    // The rest of the head says nothing that matters here, but it has to be read before the answer.
+    for line in head {
+        if line?.is_empty() {
+            break;
+        }
+    }
+    let asked = request.strip_prefix("GET ").and_then(|rest| rest.split(' ').next());
+    let file = asked.and_then(|url| file_of(url, project::root()));
     let found = file.and_then(|file| Some((fs::read(&file).ok()?, media_type(&file))));
-    let sent = match found {
-        Some((bytes, media)) => request.respond(
-            Response::from_data(bytes)
-                .with_header(header("Content-Type", media))
-                .with_header(header("Cache-Control", "no-cache")),
-        ),
-        None => request.respond(Response::from_string("Not found\n").with_status_code(404)),
+    let (status, media, bytes) = match found {
+        Some((bytes, media)) => ("200 OK", media, bytes),
+        None => ("404 Not Found", "text/plain; charset=utf-8", b"Not found\n".to_vec()),
     };
-    // The browser may have gone away in the meantime.
-    drop(sent);
-}
-
-fn header(name: &'static str, value: &'static str) -> Header {
-    Header::from_bytes(name, value).expect("names and values are ASCII constants")
+    let length = bytes.len();
+    write!(
+        connection,
+        "HTTP/1.1 {status}\r\nContent-Type: {media}\r\nContent-Length: {length}\r\nCache-Control: no-cache\r\nConnection: close\r\n\r\n"
+    )?;
+    connection.write_all(&bytes)
 }
 
 /// The file behind a request: `index.html` or something under `web/`, nothing hidden, nothing outside.
