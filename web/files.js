@@ -6,6 +6,7 @@
  */
 import { h } from "./dom.js";
 import { createMenu } from "./menu.js";
+import { isSingleFile } from "./packed.js";
 
 /** A design file has a few thousand characters; a larger one is something else. */
 const LARGEST = 1_000_000;
@@ -40,10 +41,17 @@ export function createFiles(context, texts, engine) {
   const open = texts.text(h("button", { type: "button" }), "header.open");
   const save = texts.text(h("button", { type: "button" }), "header.save");
   const recent = texts.text(h("button", { type: "button", "aria-haspopup": "dialog" }), "header.recent");
-  const menu = createMenu("files-menu", [open, recent, save]);
+  const exports = texts.text(h("button", { type: "button", "aria-haspopup": "dialog" }), "header.export");
+  const paper = texts.text(h("button", { type: "button", "aria-haspopup": "dialog", "aria-keyshortcuts": "Control+P" }), "header.print");
+  // A page on disk may load nothing: there only the command line writes other files.
+  const menu = createMenu("files-menu", [open, recent, save, ...(isSingleFile() ? [] : [exports]), paper]);
   const openFile = opener(context, engine);
   /** @type {Promise<() => Promise<void>> | undefined} */
   let recentDialog;
+  /** @type {Promise<() => Promise<void>> | undefined} */
+  let exportDialog;
+  /** @type {Promise<() => Promise<void>> | undefined} */
+  let printDialog;
   const files = texts.text(h("button", { type: "button", class: "quiet drop", "aria-haspopup": "menu" }), "header.files");
 
   files.addEventListener("click", () => menu.open(files));
@@ -56,6 +64,20 @@ export function createFiles(context, texts, engine) {
   recent.addEventListener("click", async () => {
     recentDialog ??= import("./recent-dialog.js").then(({ createRecentDialog }) => createRecentDialog(context, engine.check));
     await (await recentDialog)();
+  });
+  exports.addEventListener("click", async () => {
+    exportDialog ??= import("./exports/dialog.js").then(({ createExportDialog }) => createExportDialog(context));
+    await (await exportDialog)();
+  });
+  paper.addEventListener("click", async () => {
+    printDialog ??= import("./exports/print-dialog.js").then(({ createPrintDialog }) => createPrintDialog(context));
+    await (await printDialog)();
+  });
+  addEventListener("keydown", (event) => {
+    const asked = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey && event.key.toLowerCase() === "p";
+    if (!asked || document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    paper.click();
   });
 
   save.addEventListener("click", () => {

@@ -243,6 +243,27 @@ export interface Report {
 export type Opened = { report: Report; error?: undefined } | { error: DesignError; report?: undefined };
 export type Read = { design: Design; error?: undefined } | { error: DesignError; design?: undefined };
 
+/** A file that is wanted of the module for exports; lengths in the unit of the design. */
+export interface ExportOrder {
+  to: "csv" | "xlsx" | "dxf" | "svg" | "stl";
+  /** Degrees between rows or points. */
+  step?: number;
+  table?: string;
+  separator?: "comma" | "semicolon";
+  /** A diagram instead of the cam. */
+  diagram?: string;
+  per_second?: boolean;
+  /** Paper that the cam has to fit on, mm. */
+  room?: [number, number];
+  thickness?: number;
+  /** Diameter of the hole for the shaft. */
+  bore?: number;
+  /** Width and depth. */
+  keyway?: [number, number];
+}
+
+export type Exported = { bytes: Uint8Array; error?: undefined } | { error: string; bytes?: undefined };
+
 /** The engine's one object: the current cam. */
 export interface Lab {
   open(design: Design, samples: number, language: Language): Opened;

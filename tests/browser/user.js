@@ -8,6 +8,8 @@ import { compareEs } from "../../web/strings/compare.es.js";
 import { en as enShell } from "../../web/strings/en.js";
 import { es as esShell } from "../../web/strings/es.js";
 import { addStrings, createTranslate } from "../../web/strings/index.js";
+import { exportsEn } from "../../web/strings/exports.en.js";
+import { exportsEs } from "../../web/strings/exports.es.js";
 import { filesEn } from "../../web/strings/files.en.js";
 import { filesEs } from "../../web/strings/files.es.js";
 import { helpEn } from "../../web/strings/help.en.js";
@@ -26,7 +28,7 @@ import { openPage } from "./harness.js";
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs } };
+const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn, ...exportsEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs, ...exportsEs } };
 addStrings(onDemand);
 export const en = words("en", { ...enShell, ...stageEn, ...onDemand.en });
 export const es = words("es", { ...esShell, ...stageEs, ...onDemand.es });

@@ -43,7 +43,7 @@ for (const [file, type] of [
   });
 }
 
-for (const target of ["/Cargo.toml", "/.git/config", "/web/../Cargo.toml", "/web/%2e%2e/Cargo.toml", "//etc/passwd", "/web/pkg/.stamp"]) {
+for (const target of ["/Cargo.toml", "/.git/config", "/web/../Cargo.toml", "/web/%2e%2e/Cargo.toml", "//etc/passwd", "/web/pkg/.levalab-wasm.stamp"]) {
   test(`${target} is not served`, async () => {
     assert.match(await statusLine(target), / 404 /);
   });

@@ -12,10 +12,11 @@ function trustedPolicy() {
 }
 
 /**
+ * A drawing of ours as an element.
  * @param {string} text
  * @returns {SVGElement | null}
  */
-function parse(text) {
+export function parse(text) {
   const page = new DOMParser().parseFromString(policy ? policy.createHTML(text) : text, "image/svg+xml");
   const { documentElement } = page;
   if (documentElement.nodeName !== "svg") return null;

@@ -28,6 +28,8 @@ export const en = {
   "header.files": "File",
   "header.open": "Open a design file…",
   "header.recent": "Recent designs…",
+  "header.export": "Export…",
+  "header.print": "Print…",
   "header.save": "Save as a design file",
   "header.compare": "Compare",
   "header.pin": "Pin this design, to compare it (C)",

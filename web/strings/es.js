@@ -28,6 +28,8 @@ export const es = {
   "header.files": "Archivo",
   "header.open": "Abrir un archivo de diseño…",
   "header.recent": "Diseños recientes…",
+  "header.export": "Exportar…",
+  "header.print": "Imprimir…",
   "header.save": "Guardar como archivo de diseño",
   "header.compare": "Comparar",
   "header.pin": "Fijar este diseño para compararlo (C)",

@@ -4,10 +4,7 @@ use crate::failure::Failure;
 use crate::{input, output};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
-use levalab_export::{
-    CamDrawing, DiagramChoice, Keyway, Refusal, Separator, Shaft, Step, Subject, Table, cam_svg, csv, diagram_svg, dxf,
-    png, stl, xlsx,
-};
+use levalab_export::{DiagramChoice, Format, Keyway, Order, Separator, Subject, Table};
 use levalab_words::Language;
 use std::fs;
 use std::process::ExitCode;
@@ -18,7 +15,7 @@ pub struct Options {
     file: String,
     /// Kind of file to write.
     #[arg(long)]
-    to: Format,
+    to: To,
     /// File to write, or - for standard output.
     #[arg(short, long)]
     output: String,
@@ -52,7 +49,7 @@ pub struct Options {
 }
 
 #[derive(Clone, Copy, ValueEnum)]
-enum Format {
+enum To {
     /// A table for spreadsheets.
     Csv,
     /// A workbook with every table.
@@ -75,14 +72,11 @@ enum Parting {
     Semicolon,
 }
 
-/// Thickness of a cam, as a part of its base radius, when nothing is said about it.
-const THICKNESS: f64 = 1.0 / 3.0;
-
 /// Writes the file.
 pub fn run(options: &Options, language: Language) -> Result<ExitCode, Failure> {
     let (design, cams) = input::design_and_cams(&options.file, language)?;
     let subject = Subject { design: &design, cam: &cams.first, second: cams.second.as_ref(), language };
-    let bytes = made(&subject, options).map_err(|refusal| Failure::export(&refusal, language))?;
+    let bytes = options.order().make(&subject).map_err(|refusal| Failure::export(&refusal, language))?;
     if options.output == "-" {
         output::write_bytes(&bytes, language)?;
     } else {
@@ -91,35 +85,36 @@ pub fn run(options: &Options, language: Language) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn made(subject: &Subject, options: &Options) -> Result<Vec<u8>, Refusal> {
-    let step = |usual| options.step.map_or(Ok(usual), Step::of_degrees);
-    let shaft =
-        options.bore.map(|bore| Shaft { bore, keyway: options.keyway.map(|(width, depth)| Keyway { width, depth }) });
-    Ok(match options.to {
-        Format::Csv => {
-            let table = Table::by_name(&options.table).unwrap_or(Table::Everything);
-            let separator = match options.separator {
-                Some(Parting::Comma) => Separator::Comma,
-                Some(Parting::Semicolon) => Separator::Semicolon,
-                None => Separator::of(subject.language),
-            };
-            csv(subject, table, step(Step::OF_TABLES)?, separator).into_bytes()
+impl Options {
+    fn order(&self) -> Order {
+        Order {
+            step: self.step,
+            table: Table::by_name(&self.table).unwrap_or(Table::Everything),
+            separator: self.separator.map(|parting| match parting {
+                Parting::Comma => Separator::Comma,
+                Parting::Semicolon => Separator::Semicolon,
+            }),
+            diagram: self.diagram.as_deref().and_then(DiagramChoice::by_name),
+            per_second: self.per_second,
+            width: self.width,
+            thickness: self.thickness,
+            bore: self.bore,
+            keyway: self.keyway.map(|(width, depth)| Keyway { width, depth }),
+            ..Order::of(self.to.into())
         }
-        Format::Xlsx => xlsx(subject, step(Step::OF_TABLES)?)?,
-        Format::Dxf => dxf(subject, step(Step::OF_CURVES)?, shaft)?,
-        Format::Svg => drawing(subject, options, shaft)?.into_bytes(),
-        Format::Png => png(&drawing(subject, options, shaft)?, options.width)?,
-        Format::Stl => {
-            let thickness = options.thickness.unwrap_or(THICKNESS * subject.size());
-            stl(subject, step(Step::OF_CURVES)?, thickness, shaft)?
-        }
-    })
+    }
 }
 
-fn drawing(subject: &Subject, options: &Options, shaft: Option<Shaft>) -> Result<String, Refusal> {
-    match options.diagram.as_deref().and_then(DiagramChoice::by_name) {
-        Some(choice) => diagram_svg(subject, choice, options.per_second),
-        None => cam_svg(subject, &CamDrawing { shaft, ..CamDrawing::default() }),
+impl From<To> for Format {
+    fn from(to: To) -> Self {
+        match to {
+            To::Csv => Self::Csv,
+            To::Xlsx => Self::Xlsx,
+            To::Dxf => Self::Dxf,
+            To::Svg => Self::Svg,
+            To::Png => Self::Png,
+            To::Stl => Self::Stl,
+        }
     }
 }
 

@@ -25,6 +25,7 @@ mod curves;
 mod diagram;
 mod dxf;
 mod follower_drawing;
+mod order;
 mod paper;
 #[cfg(feature = "png")]
 mod png;
@@ -45,6 +46,7 @@ pub use cam_drawing::{CamDrawing, cam_svg};
 pub use csv::{Separator, csv};
 pub use diagram::{DiagramChoice, diagram_svg};
 pub use dxf::dxf;
+pub use order::{Format, Order};
 #[cfg(feature = "png")]
 pub use png::png;
 pub use refusal::Refusal;

@@ -96,6 +96,10 @@ fn name(table: Table) -> Word {
 
 /// A row for each angle, the last repeating the first.
 fn by_angle(subject: &Subject, table: Table, step: Step) -> Option<Vec<Row>> {
+    // A cam that travels has no centre.
+    if table == Table::Polar && subject.travels() {
+        return None;
+    }
     let mut columns: Vec<(String, Vec<f64>)> = Vec::new();
     for (k, cam) in subject.cams().enumerate() {
         let analysis = Analysis::of(cam, step.count());

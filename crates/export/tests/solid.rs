@@ -3,7 +3,7 @@
 use levalab_core::{Analysis, Column};
 use levalab_export::{Keyway, Refusal, Shaft, Step, Subject, stl};
 use levalab_format::testing::{self, Random};
-use levalab_format::{Design, EXAMPLES, example};
+use levalab_format::{CamKind, Design, EXAMPLES, example};
 use levalab_words::Language;
 use std::collections::HashMap;
 
@@ -79,6 +79,7 @@ fn made(design: &Design, step: Step, thickness: f64, shaft: Option<Shaft>) -> Re
 
 #[test]
 fn every_example_is_a_closed_solid_of_the_right_size() {
+    let mut refused = Vec::new();
     for (name, _) in EXAMPLES {
         let design = example(name).expect(name);
         let mm = match design.length_unit.symbol() {
@@ -87,13 +88,25 @@ fn every_example_is_a_closed_solid_of_the_right_size() {
             "in" => 25.4,
             _ => 1.0,
         };
-        let thickness = design.base_radius / 4.0;
-        let triangles = read(&made(&design, Step::OF_CURVES, thickness, None).expect(name));
+        let thickness = design.base_radius.max(1.0) / 4.0;
+        let triangles = match made(&design, Step::OF_CURVES, thickness, None) {
+            Ok(bytes) => read(&bytes),
+            Err(refusal) => {
+                assert!(matches!(refusal, Refusal::NotSolid { why: Some(_) }), "{name}: {refusal:?}");
+                refused.push(*name);
+                continue;
+            }
+        };
         assert_closed(&triangles, name);
         assert_normals_point_out(&triangles, name);
+        let one_plate = matches!(design.kind, CamKind::Rotating | CamKind::ConstantBreadth { .. });
+        if !one_plate || design.conjugate.is_some() {
+            continue;
+        }
         let expected = area(&design, 720, mm) * thickness * mm;
         assert!((volume(&triangles) / expected - 1.0).abs() < SINGLE, "{name}: {} of {expected}", volume(&triangles));
     }
+    assert!(refused.len() < EXAMPLES.len() / 4, "{refused:?} bound no solid");
 }
 
 #[test]

@@ -72,14 +72,22 @@ fn numbers_in_the_workbook_are_those_of_the_analysis() {
             assert_near(&numbers(motion, at), &of(which), &format!("{name} {}", which.name()));
         }
         let omega = design.omega();
-        let times: Vec<f64> = of(Column::Theta).iter().map(|theta| theta.to_radians() / omega).collect();
+        let travels = design.kind.travel().is_some();
+        let turn = |place: &f64| if travels { *place } else { place.to_radians() };
+        let times: Vec<f64> = of(Column::Theta).iter().map(|place| turn(place) / omega).collect();
         assert_near(&numbers(motion, 1), &times, &format!("{name} t"));
         let accelerations: Vec<f64> = of(Column::A).iter().map(|a| a * omega * omega).collect();
         assert_near(&numbers(motion, 7), &accelerations, &format!("{name} A"));
         let (x, y) = (of(Column::X), of(Column::Y));
-        assert_near(&numbers(&sheets[3].1, 1), &x, &format!("{name} x"));
-        assert_near(&numbers(&sheets[3].1, 2), &y, &format!("{name} y"));
-        let (angles, radii) = (numbers(&sheets[2].1, 1), numbers(&sheets[2].1, 2));
+        let named = |name: &str| sheets.iter().find(|(known, _)| known == name).map(|(_, sheet)| sheet);
+        let cartesian = named("Perfil (cartesianas)").expect(name);
+        assert_near(&numbers(cartesian, 1), &x, &format!("{name} x"));
+        assert_near(&numbers(cartesian, 2), &y, &format!("{name} y"));
+        let Some(polar) = named("Perfil (polares)") else {
+            assert!(travels, "{name}");
+            continue;
+        };
+        let (angles, radii) = (numbers(polar, 1), numbers(polar, 2));
         for k in 0..x.len() {
             let (sin, cos) = angles[k].to_radians().sin_cos();
             let near = 1e-9 * radii[k];
@@ -155,7 +163,11 @@ fn every_table_has_rows_or_does_not_apply() {
         for table in Table::ALL {
             let text =
                 with_subject(&design, Language::En, |subject| csv(subject, table, Step::OF_TABLES, Separator::Comma));
-            let applies = table != Table::Pitch || design.cam().is_ok_and(|cam| !cam.follower.is_flat());
+            let applies = match table {
+                Table::Pitch => design.cam().is_ok_and(|cam| !cam.follower.is_flat()),
+                Table::Polar => design.kind.travel().is_none(),
+                _ => true,
+            };
             assert_eq!(text.lines().count() > 1, applies, "{name} {}", table.name());
         }
     }

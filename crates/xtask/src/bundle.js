@@ -46,8 +46,8 @@ const built = await build({
   metafile: true,
   plugins: [ownAddress],
 });
-// The page imports the glue by its address, so that it can import it afresh: it stays a file of its own.
-await build({ ...common, entryPoints: ["web/pkg/levalab_wasm.js"], outdir: path.join(out, "pkg") });
+// The page imports the glue of either module by its address, so that it can import it afresh: each stays a file of its own.
+await build({ ...common, entryPoints: ["web/pkg/levalab_wasm.js", "web/pkg/levalab_export_wasm.js"], outdir: path.join(out, "pkg") });
 // A script in the head runs before anything is drawn and shares no names with the modules.
 await build({ ...common, entryPoints: scripts, entryNames: "[name]" });
 const sheet = styles.map(({ file, media }) => `@import "./${file}" ${media};`).join("\n");

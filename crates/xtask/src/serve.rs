@@ -197,7 +197,7 @@ mod tests {
             "/web\\..\\Cargo.toml",
             "//etc/passwd",
             "/web//etc/passwd",
-            "/web/pkg/.stamp",
+            "/web/pkg/.levalab-wasm.stamp",
             "/crates/xtask/src/main.rs",
             "web/main.js",
             "",

@@ -36,7 +36,9 @@ pub struct Parts<'a> {
 impl Parts<'_> {
     /// The whole file.
     pub fn page(&self) -> Result<String> {
-        let style = read(&self.packed.join("style.css"))? + &read(&self.packed.join("styles/help.css"))?;
+        let style = read(&self.packed.join("style.css"))?
+            + &read(&self.packed.join("styles/help.css"))?
+            + &read(&self.packed.join("styles/exports.css"))?;
         let mut scripts = Vec::new();
         let mut bodies = String::new();
         let mut styled = false;

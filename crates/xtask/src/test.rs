@@ -44,7 +44,7 @@ struct Bench {
 const STEPS: [Step; 14] = [
     Step { name: "format", claim: "Rust is formatted", check: format },
     Step { name: "clippy", claim: "Rust has no warnings", check: clippy },
-    Step { name: "clippy-wasm", claim: "neither has the page's module", check: clippy_wasm },
+    Step { name: "clippy-wasm", claim: "neither have the page's modules", check: clippy_wasm },
     Step { name: "native", claim: "Rust tests and documentation examples hold", check: native },
     Step { name: "soak", claim: "no random design or damaged link gets through", check: soak_short },
     Step { name: "independent", claim: "a second set of formulas agrees with the command", check: independent },
@@ -134,16 +134,10 @@ fn clippy(_: &Bench) -> Result<()> {
 
 fn clippy_wasm(_: &Bench) -> Result<()> {
     match setup::wasm_compiler()? {
-        WasmCompiler::Same => process::run(&mut cargo([
-            "clippy",
-            "--package",
-            "levalab-wasm",
-            "--target",
-            WASM,
-            "--",
-            "--deny",
-            "warnings",
-        ])),
+        WasmCompiler::Same => {
+            let mut command = cargo(["clippy"]);
+            process::run(command.args(wasm::packages()).args(["--target", WASM, "--", "--deny", "warnings"]))
+        }
         // Clippy belongs to the other compiler: the compiler's own warnings have to do.
         WasmCompiler::Debian { linker } => process::run(&mut wasm::debian_check(&linker)?),
     }

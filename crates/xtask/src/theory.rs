@@ -7,7 +7,7 @@ use anyhow::{Context, Result, ensure};
 use crate::process::{self, cargo};
 
 /// Style sheets that these pages, and the cards that show parts of them, load by name.
-pub const SHEETS: [&str; 2] = ["web/styles/theory.css", "web/styles/help.css"];
+pub const SHEETS: [&str; 3] = ["web/styles/theory.css", "web/styles/help.css", "web/styles/exports.css"];
 
 /// Brings `web/theory/` up to date.
 pub fn build() -> Result<()> {

@@ -1,4 +1,5 @@
-//! The machine room of the page: Rust to wasm, its JavaScript glue, and the optimiser, into `web/pkg/`.
+//! The machine room of the page: Rust to wasm, its JavaScript glue, and the optimiser, into `web/pkg/`. There are two modules: what
+//! every visit loads, and what is loaded when somebody wants a file.
 
 use std::{
     env,
@@ -46,6 +47,12 @@ const FEATURES: [&str; 6] = [
     "--enable-sign-ext",
 ];
 
+/// The crates that become modules, each by itself: what one asks of a crate below must not swell the other.
+const MODULES: [&str; 2] = ["levalab-wasm", EXPORTS];
+
+/// The module whose libraries write numbers by their `Debug` form, which must not be taken from them.
+const EXPORTS: &str = "levalab-export-wasm";
+
 /// Part of the stamp: raise it when the steps below change what they write.
 const RECIPE: &str = "3";
 
@@ -78,9 +85,13 @@ pub fn package() -> PathBuf {
 /// Brings `web/pkg/` up to date; quick when nothing changed.
 pub fn build(build: Build) -> Result<()> {
     library::write(&package())?;
-    let module = compile(build)?;
+    MODULES.iter().try_for_each(|name| build_module(name, build))
+}
+
+fn build_module(name: &str, build: Build) -> Result<()> {
+    let module = compile(name, build)?;
     let stamp = stamp(&module, build)?;
-    let stamp_file = package().join(".stamp");
+    let stamp_file = package().join(format!(".{name}.stamp"));
     if fs::read_to_string(&stamp_file).is_ok_and(|found| found == stamp) {
         return Ok(());
     }
@@ -88,23 +99,25 @@ pub fn build(build: Build) -> Result<()> {
         setup::node_modules()?;
     }
     told("writing web/pkg", || write_package(&module, build))?;
-    fs::write(&stamp_file, stamp).context("web/pkg/.stamp")
+    fs::write(&stamp_file, stamp).with_context(|| stamp_file.display().to_string())
 }
 
 /// The module as it comes from the compiler: made small when it is shipped and the compiler can.
-fn compile(build: Build) -> Result<PathBuf> {
+fn compile(name: &str, build: Build) -> Result<PathBuf> {
     let compiler = setup::wasm_compiler()?;
-    if build == Build::Shipped && setup::library_sources(&compiler) {
-        match compile_with(&compiler, build, true) {
+    if build == Build::Shipped && name != EXPORTS && setup::library_sources(&compiler) {
+        match compile_with(name, &compiler, build, true) {
             Ok(module) => return Ok(module),
             Err(error) => eprintln!("· {error:#}: once more with the standard library as it comes, a tenth larger"),
         }
     }
-    compile_with(&compiler, build, false)
+    compile_with(name, &compiler, build, false)
 }
 
-fn compile_with(compiler: &WasmCompiler, build: Build, small: bool) -> Result<PathBuf> {
+fn compile_with(name: &str, compiler: &WasmCompiler, build: Build, small: bool) -> Result<PathBuf> {
     let target = project::target()?;
+    // Other flags, so another folder: neither module throws away what the other has compiled.
+    let target = if name == EXPORTS { target.join("exports") } else { target };
     let (mut command, target) = match compiler {
         WasmCompiler::Same if small => {
             let mut command = process::cargo(["build", BUILD_STD]);
@@ -116,21 +129,29 @@ fn compile_with(compiler: &WasmCompiler, build: Build, small: bool) -> Result<Pa
         WasmCompiler::Debian { linker } => (debian_cargo("build", linker), target.join("debian")),
     };
     command
-        .args(["--package", "levalab-wasm", "--lib", "--target", WASM, "--profile", build.profile()])
+        .args(["--package", name, "--lib", "--target", WASM, "--profile", build.profile()])
         .arg("--target-dir")
         .arg(&target)
         .args(SMALL_ARGUMENTS.iter().filter(|_| small))
         .env("CARGO_ENCODED_RUSTFLAGS", flags(small));
-    told("compiling for the page", || run(&mut command))?;
-    Ok(target.join(WASM).join(build.profile()).join("levalab_wasm.wasm"))
+    told(&format!("compiling {name} for the page"), || run(&mut command))?;
+    Ok(target.join(WASM).join(build.profile()).join(file_stem(name) + ".wasm"))
 }
 
-/// Looks for compiler warnings in the page's module with Debian's compiler.
+/// The name of a crate in the names of its files.
+fn file_stem(name: &str) -> String {
+    name.replace('-', "_")
+}
+
+/// The crates that become modules, as cargo's arguments.
+pub fn packages() -> impl Iterator<Item = &'static str> {
+    MODULES.iter().flat_map(|name| ["--package", name])
+}
+
+/// Looks for compiler warnings in the page's modules with Debian's compiler.
 pub fn debian_check(linker: &Path) -> Result<Command> {
     let mut command = debian_cargo("check", linker);
-    command
-        .args(["--package", "levalab-wasm", "--target", WASM, "--target-dir"])
-        .arg(project::target()?.join("debian"));
+    command.args(packages()).args(["--target", WASM, "--target-dir"]).arg(project::target()?.join("debian"));
     command.env("CARGO_ENCODED_RUSTFLAGS", "--deny=warnings");
     Ok(command)
 }
@@ -191,7 +212,8 @@ fn write_package(module: &Path, build: Build) -> Result<()> {
     }
     write_glue(module, &fresh)?;
     if build == Build::Shipped {
-        optimise(&fresh.join("levalab_wasm_bg.wasm"))?;
+        let stem = module.file_stem().unwrap_or_default().to_string_lossy();
+        optimise(&fresh.join(format!("{stem}_bg.wasm")))?;
     }
     let package = package();
     fs::create_dir_all(&package).context("web/pkg")?;
