@@ -175,6 +175,7 @@ export function mount(root, { store, t, format }) {
     root.classList.toggle("travels", cycle.travels);
     if (place !== cursor) store.set({ cursor: place });
     word();
+    show();
   }
 
   function showPace() {

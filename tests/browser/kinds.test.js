@@ -125,6 +125,12 @@ test("a pair too close says so and gives what works; where none is possible the 
   assert.equal(await fragment(page), LINKS.impossible);
 });
 
+test("a wedge opened while the cursor stands at its start tells its place as a length", async (t) => {
+  const { page } = await openStill(t);
+  await openExample(page, "WEDGE");
+  await becomes(() => page.getByRole("textbox", { name: en("transport.place") }).inputValue(), /mm$/);
+});
+
 test("the cursor of a wedge is a length that ends where the wedge does, and the clock turns it round", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS.wedge });
   const place = page.getByRole("textbox", { name: en("transport.place") });
