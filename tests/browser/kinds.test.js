@@ -1,7 +1,7 @@
 // Every kind of cam and pairs of cams, as they are chosen, edited, drawn and taken back.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { becomes, en, eventually, field, fragment, frames, level, literal, mechanism, numberOf, openStill, picture, program, readout, undo, verdict, violations } from "./user.js";
+import { becomes, en, eventually, field, fragment, frames, level, literal, mechanism, numberOf, openExample, openStill, picture, program, readout, undo, verdict, violations } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
