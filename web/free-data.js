@@ -1,7 +1,7 @@
 /**
  * Book-keeping of the data that free laws are made from: where they end, and how they follow when their segment is stretched.
  *
- * @import { Conditions, Segment } from "./types.d.ts"
+ * @import { FreeData, Segment } from "./types.d.ts"
  */
 import { clean } from "./clean.js";
 
@@ -9,24 +9,26 @@ import { clean } from "./clean.js";
 const PART = /^beta\d$/;
 
 /**
- * The height at which the data of a segment say that it ends.
+ * The height at which the data of a segment say that it ends; that of a formula only the engine knows.
  * @param {Readonly<Segment>} segment
  */
-export function statedEnd({ beta, conditions }) {
-  return conditions?.find(({ at, order }) => order === 0 && at === beta)?.value;
+export function statedEnd({ beta, conditions, points, ordinates }) {
+  return conditions?.find(({ at, order }) => order === 0 && at === beta)?.value ?? points?.at(-1)?.[1] ?? ordinates?.at(-1);
 }
 
 /**
- * Makes the data of a segment end at a height; false when it has none.
+ * Makes the data of a segment end at a height; false when it has none that can.
  * @param {Segment} segment
  * @param {number} height
  */
-export function setEnd({ beta, conditions }, height) {
-  if (!conditions) return false;
-  const end = conditions.find(({ at, order }) => order === 0 && at === beta);
+export function setEnd({ beta, conditions, points, ordinates }, height) {
+  const end = conditions?.find(({ at, order }) => order === 0 && at === beta);
+  const last = points?.at(-1);
   if (end) end.value = height;
-  else conditions.push({ at: beta, order: 0, value: height });
-  return true;
+  else if (last) last[1] = height;
+  else if (ordinates?.length) ordinates[ordinates.length - 1] = height;
+  else conditions?.push({ at: beta, order: 0, value: height });
+  return Boolean(conditions ?? points ?? ordinates);
 }
 
 /**
@@ -35,10 +37,13 @@ export function setEnd({ beta, conditions }, height) {
  * @param {number} beta
  */
 export function setBeta(segment, beta) {
-  const { beta: old, conditions } = segment;
+  const { beta: old, conditions, points } = segment;
+  /** @param {number} at */
+  const along = (at) => (at === old ? beta : clean((at * beta) / old));
   segment.beta = beta;
-  for (const [key, value] of Object.entries(segment)) if (PART.test(key) && typeof value === "number") segment[key] = clean((value * beta) / old);
-  for (const condition of conditions ?? []) condition.at = condition.at === old ? beta : clean((condition.at * beta) / old);
+  for (const [key, value] of Object.entries(segment)) if (PART.test(key) && typeof value === "number") segment[key] = along(value);
+  for (const condition of conditions ?? []) condition.at = along(condition.at);
+  for (const point of points ?? []) point[0] = along(point[0]);
 }
 
 /**
@@ -46,16 +51,29 @@ export function setBeta(segment, beta) {
  * @param {Segment} segment
  * @param {number} factor
  */
-export function scaleHeights({ conditions }, factor) {
-  for (const condition of conditions ?? []) condition.value = clean(condition.value * factor);
+export function scaleHeights(segment, factor) {
+  for (const condition of segment.conditions ?? []) condition.value = clean(condition.value * factor);
+  for (const point of segment.points ?? []) point[1] = clean(point[1] * factor);
+  if (segment.ordinates) segment.ordinates = segment.ordinates.map((height) => clean(height * factor));
 }
 
 /**
  * The data that a law starts with, made for β = 1 from 0 to 1, fitted into a segment.
- * @param {Readonly<Conditions>} first
+ * @param {Readonly<FreeData>} first
  * @param {{ beta: number, start: number, rise: number }} span
- * @returns {Conditions}
+ * @returns {FreeData}
  */
 export function fitted(first, { beta, start, rise }) {
-  return first.map(({ at, order, value }) => ({ at: at === 1 ? beta : clean(at * beta), order, value: order === 0 ? clean(start + rise * value) : value }));
+  if (typeof first === "string") return first;
+  /** @param {number} value */
+  const height = (value) => clean(start + rise * value);
+  /** @param {number} at */
+  const place = (at) => (at === 1 ? beta : clean(at * beta));
+  return /** @type {FreeData} */ (
+    first.map((item) => {
+      if (typeof item === "number") return height(item);
+      if (Array.isArray(item)) return [place(item[0]), height(item[1])];
+      return { at: place(item.at), order: item.order, value: item.order === 0 ? height(item.value) : item.value };
+    })
+  );
 }

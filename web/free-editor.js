@@ -4,6 +4,7 @@
  * @import { LawEntry, ShellContext, State } from "./types.d.ts"
  */
 import { createConditionTable } from "./condition-table.js";
+import { createFormulaField, createOrdinatesField, createTableField } from "./free-text.js";
 import { addStrings } from "./strings/index.js";
 import { freeEn } from "./strings/free.en.js";
 import { freeEs } from "./strings/free.es.js";
@@ -20,7 +21,7 @@ addStrings({ en: freeEn, es: freeEs });
  */
 
 /** @type {Record<string, (context: ShellContext, place: { id: string, index: () => number }) => FreeEditor>} */
-const EDITORS = { conditions: createConditionTable };
+const EDITORS = { conditions: createConditionTable, points: createTableField, ordinates: createOrdinatesField, expression: createFormulaField };
 
 /**
  * @param {ShellContext} context

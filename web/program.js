@@ -191,7 +191,7 @@ export function changeLaw(draft, index, law) {
   const kept = law.moves ? clean(endOf(start, old) - start) : 0;
   const rise = law.moves && kept === 0 ? likelyRise(draft, index) : kept;
   if (law.free) next[law.free.key] = old[law.free.key] ?? fitted(law.free.first, { beta: old.beta, start, rise });
-  else next.rise = rise;
+  if (!law.free || law.free.key === "expression") next.rise = rise;
   for (const { key, quantity, default: first } of law.parameters) {
     const usual = first !== null && quantity === "span" ? clean(first * old.beta) : first;
     const value = old[key] ?? usual;

@@ -49,8 +49,10 @@ export function createClosing({ store, t, format }, texts, add) {
   function update() {
     const { design, error, language } = store.state;
     const left = program.degreesLeft(design);
-    const height = program.openHeight(design);
     const whole = format.number(program.wholeOf(design), { unit: strideUnit(design) });
+    // Where a formula ends, the engine knows: what it accepts is closed.
+    const byEngine = error === null && design.segments.some(({ expression }) => expression !== undefined);
+    const height = byEngine ? 0 : program.openHeight(design);
     const own = error?.path === "segments" && left === 0 && height === 0 ? error.message : "";
     const state = [left, height, whole, riseUnit(design), language, own, program.canStretchLast(design)].join();
     if (state === shown) return;

@@ -1,7 +1,7 @@
 /**
  * One segment of the program on one line: its place, law, angle and rise.
  *
- * @import { Catalogue, LawEntry, Segment, ShellContext } from "./types.d.ts"
+ * @import { Catalogue, LawEntry, Segment, ShellContext, State } from "./types.d.ts"
  * @import { FreeEditor } from "./free-editor.js"
  * @import { NumberField } from "./number-field.js"
  */
@@ -60,7 +60,7 @@ export function createSegmentRow(context, actions) {
     id: `${id}-rise`,
     name: () => t("segments.rise.of", number()),
     unit: () => riseUnit(store.state.design),
-    read: (design) => (law?.free ? clean(heightAt(design, index + 1) - heightAt(design, index)) : design.segments[index] && (design.segments[index].rise ?? 0)),
+    read: (design) => design.segments[index] && (design.segments[index].rise ?? clean(riseIn(store.state, index))),
     write: (draft, value) => set(draft.segments[index], "rise", value),
     step: (design) => (design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
     path: () => `segments[${index}].rise`,
@@ -104,7 +104,7 @@ export function createSegmentRow(context, actions) {
           return typeof value === "number" ? value : undefined;
         },
         write: (draft, value) => set(draft.segments[index], key, value),
-        step: () => (quantity === "span" ? 1 : 0.05),
+        step: () => (quantity === "span" || key === "degree" ? 1 : 0.05),
         path: () => `segments[${index}].${key}`,
         highlight: () => ({ segment: index }),
       }),
@@ -118,7 +118,6 @@ export function createSegmentRow(context, actions) {
       ...extras.map(({ field }) => field.error),
     );
     root.classList.toggle("still", next !== undefined && !next.moves);
-    rise.input.disabled = next !== undefined && (!next.moves || next.free !== null);
     editor = null;
     if (next?.free) void openEditor(next);
   }
@@ -163,6 +162,7 @@ export function createSegmentRow(context, actions) {
       grip.textContent = String(index + 1);
       speak();
     }
+    rise.input.disabled = entry !== undefined && (!entry.moves || (entry.free !== null && segment.rise === undefined));
     lawSelect.value = segment.law;
     lawSelect.title = t(`law.${segment.law}`);
     thumbnail.draw(entry?.thumbnail ?? [], (segment.rise ?? 0) < 0);
@@ -206,6 +206,16 @@ export function createSegmentRow(context, actions) {
     },
   };
   return row;
+}
+
+/**
+ * The rise of a segment that does not tell it: between its neighbours' heights, or as the engine found it.
+ * @param {Readonly<State>} state
+ * @param {number} index
+ */
+function riseIn({ design, report }, index) {
+  if (design.segments[index]?.expression === undefined) return heightAt(design, index + 1) - heightAt(design, index);
+  return (report.heights[index + 1] ?? 0) - (report.heights[index] ?? 0);
 }
 
 /** @typedef {ReturnType<typeof createSegmentRow>} SegmentRow */

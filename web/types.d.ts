@@ -26,7 +26,7 @@ export interface LawEntry {
   /** Acceleration at even steps of the segment, scaled to −1…1. */
   thumbnail: number[];
   /** The field that the law is made from, and what it starts with over β = 1 from 0 to 1. */
-  free: { key: string; first: Conditions } | null;
+  free: { key: string; first: FreeData } | null;
 }
 
 /** A value of s, v, a or j (order 0 to 3) at a place in a segment, degrees from its start. */
@@ -37,6 +37,12 @@ export interface Condition {
 }
 
 export type Conditions = Condition[];
+
+/** A place in a segment, degrees from its start, and s there. */
+export type Point = [number, number];
+
+/** Conditions, points of a table, ordinates or an expression. */
+export type FreeData = Conditions | Point[] | number[] | string;
 
 export interface FollowerEntry {
   id: string;
@@ -85,7 +91,10 @@ export interface Segment {
   /** Not told where the law's own data say where it ends. */
   rise?: number;
   conditions?: Conditions;
-  [parameter: string]: number | string | Conditions | undefined;
+  points?: Point[];
+  ordinates?: number[];
+  expression?: string;
+  [parameter: string]: number | FreeData | undefined;
 }
 
 /** The design file `levalab/1` as a plain object. */
@@ -211,6 +220,8 @@ export interface Report {
   borders: number[];
   /** The segments of a motion that is ready-made. */
   program: { law: string; beta: number; rise: number }[] | null;
+  /** s at the borders. */
+  heights: number[];
   omega: number;
   period: number;
   /** Largest pressure angle that the follower tolerates, in degrees. */

@@ -168,7 +168,9 @@ fn attempt(program: &Program, changes: Vec<(usize, &'static Law)>) -> Option<Tri
         return None;
     }
     for &(k, law) in &changes {
-        changed[k] = Segment::new(law, changed[k].beta, changed[k].rise);
+        let risen = program.heights()[k + 1] - program.heights()[k];
+        let rise = if changed[k].law.free().is_some() { risen } else { changed[k].rise };
+        changed[k] = Segment::new(law, changed[k].beta, rise);
     }
     let program = Program::on(program.cycle(), &changed).ok()?;
     Some(Trial {

@@ -2,8 +2,8 @@
 
 use crate::Svaj;
 
-/// Most coefficients a curve may have: degree 7, the generic polynomial that matches *s*, *v*, *a*, *j* at both ends.
-pub const MAX_COEFFICIENTS: usize = 8;
+/// Most coefficients a curve may have: degree 8, the highest of a spline.
+pub const MAX_COEFFICIENTS: usize = 9;
 
 /// `amplitude · sin(frequency · x + phase)`, frequency and phase in radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -1,15 +1,18 @@
 //! The formula of a smooth stretch, in the form that suits where it came from.
 
+use crate::expression::Formula;
 use crate::{Curve, Series, Svaj};
 use std::sync::Arc;
 
-/// A smooth curve: a short polynomial with waves, as most laws are, or a polynomial of any degree. Cheap to copy.
+/// A smooth curve: a short polynomial with waves, as most laws are, a polynomial of any degree, or an expression. Cheap to copy.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
     /// A polynomial of low degree and sine waves.
     Curve(Curve),
     /// A polynomial as a Chebyshev series.
     Series(Arc<Series>),
+    /// The user's own expression.
+    Formula(Arc<Formula>),
 }
 
 impl Form {
@@ -20,6 +23,7 @@ impl Form {
         match self {
             Self::Curve(curve) => curve.at(x),
             Self::Series(series) => series.at(x),
+            Self::Formula(formula) => formula.at(x),
         }
     }
 
@@ -29,6 +33,7 @@ impl Form {
         match self {
             Self::Curve(curve) => curve.scaled(k, c).into(),
             Self::Series(series) => Arc::unwrap_or_clone(series).scaled(k, c).into(),
+            Self::Formula(formula) => Arc::unwrap_or_clone(formula).scaled(k, c).into(),
         }
     }
 
@@ -44,6 +49,7 @@ impl Form {
         match self {
             Self::Curve(curve) => curve.waves().is_empty().then(|| curve.coefficients().to_vec()),
             Self::Series(series) => Some(series.coefficients()),
+            Self::Formula(_) => None,
         }
     }
 }
@@ -57,5 +63,11 @@ impl From<Curve> for Form {
 impl From<Series> for Form {
     fn from(series: Series) -> Self {
         Self::Series(Arc::new(series))
+    }
+}
+
+impl From<Formula> for Form {
+    fn from(formula: Formula) -> Self {
+        Self::Formula(Arc::new(formula))
     }
 }

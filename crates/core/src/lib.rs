@@ -33,6 +33,7 @@ mod conjugate;
 mod cure;
 mod curve;
 mod error;
+mod expression;
 mod extreme;
 mod finding;
 mod follower;
@@ -53,6 +54,7 @@ pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, working_ties};
 pub use cure::{Cure, prescribe};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use error::{CamError, GeometryError, GeometryProblem, ProgramError, ProgramProblem};
+pub use expression::{Expression, ExpressionFault, ExpressionProblem, Formula, MAX_EXPRESSION, Variables};
 pub use extreme::Extremes;
 pub use finding::{Finding, FindingKind, Level};
 pub use follower::{

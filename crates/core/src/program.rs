@@ -12,7 +12,7 @@ pub struct Segment {
     /// Cam angle spanned, radians; length of travel spanned, for a translating cam.
     pub beta: f64,
     /// Height gained, negative in a return; length, or radians for an oscillating follower. That of a free law follows from its
-    /// data: in a program it is what they make it.
+    /// data; for a formula it is its L.
     pub rise: f64,
     /// The law's own parameters, in the order of [`Law::parameters`].
     pub parameters: [f64; MAX_LAW_PARAMETERS],
@@ -113,6 +113,12 @@ impl Stretch {
         Svaj::new(y.s, y.v * k, y.a * k2, y.j * (k2 * k))
     }
 
+    /// What the rounding of heights of a size makes of a derivative over so short a stretch, as a spline of many points has.
+    fn rounding(&self, height: f64, order: usize) -> f64 {
+        const DIGITS: f64 = 64.0 * f64::EPSILON;
+        if self.is_still() { 0.0 } else { DIGITS * height / (self.to - self.from).powi(order as i32) }
+    }
+
     /// True when the follower rests.
     #[must_use]
     pub fn is_still(&self) -> bool {
@@ -194,7 +200,7 @@ impl Program {
     pub fn on(cycle: Cycle, segments: &[Segment]) -> Result<Self, ProgramError> {
         check_each(cycle, segments)?;
         let borders = running_sum(segments);
-        let (heights, solved) = climb(segments)?;
+        let (heights, solved) = climb(cycle, segments)?;
         check_cycle(cycle, segments, &borders, &heights)?;
         let doubt = |(segment, solved): (usize, &Option<Solved>)| {
             let condition = solved.as_ref()?.condition;
@@ -202,10 +208,6 @@ impl Program {
         };
         let doubts = solved.iter().enumerate().filter_map(doubt).collect();
         let mut program = Self { cycle, segments: segments.to_vec(), borders, heights, stretches: Vec::new(), doubts };
-        for (k, segment) in program.segments.iter_mut().enumerate().filter(|(_, segment)| segment.law.free().is_some())
-        {
-            segment.rise = program.heights[k + 1] - program.heights[k];
-        }
         let last = program.segments.len();
         program.borders[last] = cycle.given();
         if cycle == Cycle::Turn {
@@ -338,16 +340,21 @@ impl Program {
     pub fn classified_joints(&self) -> Vec<Joint> {
         let scales: [f64; 4] =
             std::array::from_fn(|order| self.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max));
-        let classify = |(theta, stretch, before, after): (f64, &Stretch, Svaj, Svaj)| {
+        let n = self.stretches.len();
+        let classify = |(i, (theta, stretch, before, after)): (usize, (f64, &Stretch, Svaj, Svaj))| {
+            let sides = [&self.stretches[(i + n - 1) % n], stretch];
             // What a program may leave open at its end is no jump of s.
             let left_open = [CLOSING_TOLERANCE, 0.0, 0.0, 0.0];
             let jumps = |&order: &usize| {
-                (before.order(order) - after.order(order)).abs() > JUMP_TOLERANCE * scales[order] + left_open[order]
+                (before.order(order) - after.order(order)).abs()
+                    > JUMP_TOLERANCE * scales[order]
+                        + left_open[order]
+                        + sides.map(|side| side.rounding(scales[0], order)).iter().sum::<f64>()
             };
             let jump = (0..4).find(jumps).map(|order| order as u8);
             Joint { theta, segment: stretch.segment, before, after, jump }
         };
-        self.joints().map(classify).collect()
+        self.joints().enumerate().map(classify).collect()
     }
 
     /// Motion at a few places of every stretch, both ends included: enough to know how large things are.
@@ -456,17 +463,40 @@ fn running_sum(segments: &[Segment]) -> Vec<f64> {
 }
 
 /// The heights at the borders, and the curves of the free laws, which say for themselves where they end.
-fn climb(segments: &[Segment]) -> Result<(Vec<f64>, Vec<Option<Solved>>), ProgramError> {
+fn climb(cycle: Cycle, segments: &[Segment]) -> Result<(Vec<f64>, Vec<Option<Solved>>), ProgramError> {
     let (mut heights, mut solved) = (vec![0.0], Vec::with_capacity(segments.len()));
-    for (k, Segment { law, beta, rise, data, .. }) in segments.iter().enumerate() {
-        let start = heights[k];
-        let free = law.free().map(|free| (free.solve)(&Given { data, beta: *beta, start })).transpose();
+    let n = segments.len();
+    let round = cycle == Cycle::Turn;
+    for (k, segment) in segments.iter().enumerate() {
+        let (start, rise) = (heights[k], segment.rise);
+        let given = || Given {
+            data: &segment.data,
+            beta: segment.beta,
+            start,
+            rise,
+            parameters: segment.parameters,
+            before: (round || k > 0).then(|| edge(&segments[(k + n - 1) % n], true)).flatten(),
+            after: (round || k + 1 < n).then(|| edge(&segments[(k + 1) % n], false)).flatten(),
+            alone: round && n == 1,
+        };
+        let free = segment.law.free().map(|free| (free.solve)(&given())).transpose();
         let free = free.map_err(|problem| ProgramError { segment: k, problem: ProgramProblem::Data(problem) })?;
         let end = free.as_ref().and_then(|solved| solved.pieces.last()).map(|piece| piece.at(1.0).s);
         heights.push(end.unwrap_or(start + rise));
         solved.push(free);
     }
     Ok((heights, solved))
+}
+
+/// The derivatives at the start of a segment, or at its end, where they depend on nothing else.
+fn edge(segment: &Segment, end: bool) -> Option<Svaj> {
+    if !matches!(segment.law.shape, Shape::Rest | Shape::Unit(_)) {
+        return None;
+    }
+    let Segment { parameters, beta, rise, .. } = *segment;
+    let pieces = segment.law.unit(Arguments { parameters, falling: rise < 0.0, beta }).ok()?;
+    let unit = if end { pieces.last()?.at(1.0) } else { pieces.first()?.at(0.0) };
+    Some((unit * rise).stretched(beta))
 }
 
 /// The end of a travel as it is met on the way back.

@@ -31,6 +31,20 @@ impl Series {
         Self { terms }
     }
 
+    /// The polynomial of so many coefficients through a function, met at the zeros of the Chebyshev polynomial of that degree: exact for a
+    /// polynomial of a lower one.
+    #[must_use]
+    pub fn through(terms: usize, function: impl Fn(f64) -> f64) -> Self {
+        let n = terms as f64;
+        let angles: Vec<f64> = (0..terms).map(|i| std::f64::consts::PI * (i as f64 + 0.5) / n).collect();
+        let values: Vec<f64> = angles.iter().map(|angle| function(0.5 + 0.5 * angle.cos())).collect();
+        let coefficient = |k: usize| {
+            let sum: f64 = angles.iter().zip(&values).map(|(angle, value)| value * (k as f64 * angle).cos()).sum();
+            sum * if k == 0 { 1.0 } else { 2.0 } / n
+        };
+        Self::new(&(0..terms).map(coefficient).collect::<Vec<_>>())
+    }
+
     /// y and its three derivatives with respect to x.
     #[must_use]
     #[inline]

@@ -178,7 +178,12 @@ impl Design {
                 let up = if self.is_oscillating() { 1_f64.to_radians() } else { 1.0 };
                 let beta = self.core_place(segment.beta);
                 let data = segment.data.scaled(beta / segment.beta, up);
-                let given = Given { data: &data, beta, start: start.to_f64() * up };
+                let (rise, start) = (segment.rise * up, start.to_f64() * up);
+                let mut parameters = segment.parameters;
+                for (value, parameter) in parameters.iter_mut().zip(segment.law.parameters) {
+                    *value = to_core(parameter, *value, segment.beta);
+                }
+                let given = Given { data: &data, beta, start, rise, parameters, ..Given::default() };
                 let solved =
                     (free.solve)(&given).map_err(|problem| data::refusal(&here, segment, problem, self.stride()))?;
                 let end = solved.pieces.last().map_or(0.0, |piece| piece.at(1.0).s) / up;
@@ -186,7 +191,8 @@ impl Design {
                 Decimal::of(end)
             }
         };
-        if segment.rise != 0.0 && misses(end - start - Decimal::of(segment.rise)) {
+        let told = segment.rise != 0.0 && !data::asks_for_rise(segment.law, &segment.data);
+        if told && misses(end - start - Decimal::of(segment.rise)) {
             let expected = (end - start).to_f64();
             let problem = DataRefusal::RiseDisagrees { found: segment.rise, expected, measure };
             return Err(DesignError::at(here.join("rise"), problem.into()));
@@ -196,7 +202,7 @@ impl Design {
 
     /// A file may say the rise of a free law; a design leaves it to its data.
     pub(crate) fn settle_rises(&mut self) {
-        for segment in self.segments.iter_mut().filter(|segment| segment.law.free().is_some()) {
+        for segment in self.segments.iter_mut().filter(|s| !data::asks_for_rise(s.law, &s.data)) {
             segment.rise = 0.0;
         }
     }
@@ -221,6 +227,7 @@ impl Design {
             let target = to_core_rise(heights[k + 1].to_f64());
             let rise = if segment.law.is_dwell() { 0.0 } else { target - height };
             (theta, height) = (theta + beta, height + rise);
+            let rise = if segment.law.free().is_some() { to_core_rise(segment.rise) } else { rise };
             let data = segment.data.scaled(beta / segment.beta, to_core_rise(1.0));
             let mut parameters = segment.parameters;
             for (value, parameter) in parameters.iter_mut().zip(segment.law.parameters) {

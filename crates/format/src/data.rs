@@ -1,19 +1,25 @@
 //! What a free law is made from, as design files hold it: degrees along the segment, heights in the unit of the design.
 
+use crate::check::check_range;
 use crate::decimal::Decimal;
 use crate::limits::{DERIVATIVE, RISE, SWING};
 use crate::read::{Field, Object};
 use crate::report::tidy;
 use crate::write::number;
 use crate::{DataRefusal, DesignError, Kind, Measure, Path, Problem, SegmentDesign};
-use levalab_core::Quantity;
-use levalab_core::law::{Condition, Data, DataKind, DataProblem, Law, MAX_CONDITIONS};
+use levalab_core::law::{
+    Condition, Data, DataKind, DataProblem, Law, MAX_ORDINATES, MAX_POINTS, MAX_SPLINE_CONDITIONS,
+};
+use levalab_core::{Expression, Quantity};
 use serde_json::Value;
 
 /// The field of a segment that holds data of a kind.
 pub(crate) fn key(kind: DataKind) -> &'static str {
     match kind {
         DataKind::Conditions => "conditions",
+        DataKind::Points => "points",
+        DataKind::Ordinates => "ordinates",
+        DataKind::Expression => "expression",
     }
 }
 
@@ -29,9 +35,18 @@ pub(crate) fn read(segment: &Object, law: &Law) -> Result<Data, DesignError> {
     let field = segment.required(key(free.data))?;
     match free.data {
         DataKind::Conditions => {
-            let each = field.items(MAX_CONDITIONS)?.map(|item| read_condition(&item));
+            let each = field.items(MAX_SPLINE_CONDITIONS)?.map(|item| read_condition(&item));
             Ok(Data::Conditions(each.collect::<Result<_, _>>()?))
         }
+        DataKind::Points => {
+            let each = field.items(MAX_POINTS)?.map(|item| read_point(&item));
+            Ok(Data::Points(each.collect::<Result<_, _>>()?))
+        }
+        DataKind::Ordinates => {
+            let each = field.items(MAX_ORDINATES)?.map(|item| item.number());
+            Ok(Data::Ordinates(each.collect::<Result<_, _>>()?))
+        }
+        DataKind::Expression => Ok(Data::Expression(field.text()?)),
     }
 }
 
@@ -47,12 +62,33 @@ fn read_condition(item: &Field) -> Result<Condition, DesignError> {
     Ok(Condition { at, order: found as u8, value })
 }
 
+/// A pair of numbers: where, and s there.
+fn read_point(item: &Field) -> Result<[f64; 2], DesignError> {
+    let numbers: Vec<f64> = item.items(2)?.map(|number| number.number()).collect::<Result<_, _>>()?;
+    let [at, s] = numbers[..] else {
+        let problem = DataRefusal::WrongCount { found: numbers.len(), min: 2, max: 2 }.into();
+        return Err(DesignError { path: item.path.clone(), problem });
+    };
+    Ok([at, s])
+}
+
+/// True when the curve of a segment depends on a rise that is told, as that of a formula that names L.
+pub(crate) fn asks_for_rise(law: &Law, data: &Data) -> bool {
+    match data {
+        Data::Expression(text) => Expression::parse(text).is_ok_and(|expression| expression.names_rise()),
+        _ => !law.is_dwell() && law.free().is_none(),
+    }
+}
+
 /// The field of a segment that holds its data.
 #[must_use]
 pub fn entry(data: &Data) -> Option<(&'static str, Value)> {
     let value = match data {
         Data::None => return None,
         Data::Conditions(conditions) => conditions.iter().map(condition_value).collect(),
+        Data::Points(points) => points.iter().map(|&[at, s]| Value::from(vec![number(at), number(s)])).collect(),
+        Data::Ordinates(ordinates) => ordinates.iter().map(|&s| number(s)).collect(),
+        Data::Expression(text) => text.as_str().into(),
     };
     Some((key(data.kind()?), value))
 }
@@ -66,15 +102,19 @@ fn condition_value(condition: &Condition) -> Value {
 /// Refuses numbers out of range, at their places.
 pub(crate) fn check(here: &Path, data: &Data, oscillating: bool) -> Result<(), DesignError> {
     let (travel, heights) = if oscillating { (Measure::Degrees, &SWING) } else { (Measure::Length, &RISE) };
+    let list = data.kind().map_or_else(Path::default, |kind| here.join(key(kind)));
+    let height = |path: Path, value: f64| check_range(path, value, heights, travel);
     match data {
-        Data::None => Ok(()),
-        Data::Conditions(conditions) => {
-            for (item, condition) in conditions.iter().enumerate() {
-                let range = if condition.order == 0 { heights } else { &DERIVATIVE };
-                let path = here.join(key(DataKind::Conditions)).join(item).join("value");
-                crate::check::check_range(path, condition.value, range, travel)?;
-            }
-            Ok(())
+        Data::None | Data::Expression(_) => Ok(()),
+        Data::Conditions(conditions) => conditions.iter().enumerate().try_for_each(|(item, condition)| {
+            let range = if condition.order == 0 { heights } else { &DERIVATIVE };
+            check_range(list.join(item).join("value"), condition.value, range, travel)
+        }),
+        Data::Points(points) => {
+            points.iter().enumerate().try_for_each(|(item, point)| height(list.join(item).join(1), point[1]))
+        }
+        Data::Ordinates(ordinates) => {
+            ordinates.iter().enumerate().try_for_each(|(item, &value)| height(list.join(item), value))
         }
     }
 }
@@ -82,7 +122,9 @@ pub(crate) fn check(here: &Path, data: &Data, oscillating: bool) -> Result<(), D
 /// The height at which a segment's data say that it ends, when they do.
 pub(crate) fn stated_end(segment: &SegmentDesign) -> Option<Decimal> {
     let value = match &segment.data {
-        Data::None => None,
+        Data::None | Data::Expression(_) => None,
+        Data::Points(points) => points.last().filter(|point| point[0] == segment.beta).map(|point| point[1]),
+        Data::Ordinates(ordinates) => ordinates.last().copied(),
         Data::Conditions(conditions) => {
             conditions.iter().find(|c| c.order == 0 && c.at == segment.beta).map(|c| c.value)
         }
@@ -100,8 +142,9 @@ pub(crate) fn stretched(segment: &SegmentDesign, beta: f64) -> SegmentDesign {
         }
     }
     match &mut after.data {
-        Data::None => {}
+        Data::None | Data::Ordinates(_) | Data::Expression(_) => {}
         Data::Conditions(conditions) => conditions.iter_mut().for_each(|condition| condition.at = along(condition.at)),
+        Data::Points(points) => points.iter_mut().for_each(|point| point[0] = along(point[0])),
     }
     after
 }
@@ -127,6 +170,17 @@ pub(crate) fn refusal(here: &Path, segment: &SegmentDesign, problem: DataProblem
             (list.join(item).join("at"), problem)
         }
         DataProblem::Repeated { item, other } => (list.join(item), DataRefusal::Repeated { other }.into()),
+        DataProblem::Degree { min, max } => {
+            let (found, min, max) = (segment.parameters[0], min as f64, max as f64);
+            (here.join("degree"), Problem::OutOfRange { found, min, max, measure: Measure::Ratio })
+        }
+        DataProblem::NotAtEnd { item, found, expected, beta } => {
+            let [found, expected] = [found, expected].map(|place| tidy(place / beta * segment.beta));
+            (list.join(item).join(0), DataRefusal::NotAtEnd { found, expected, measure: stride }.into())
+        }
+        DataProblem::Unordered { item } => (list.join(item).join(0), DataRefusal::Unordered.into()),
+        DataProblem::Expression(problem) => (list, DataRefusal::Expression(problem).into()),
+        DataProblem::Undefined { x } => (list, DataRefusal::Undefined { x: tidy(x) }.into()),
         DataProblem::NoHeight => (list, DataRefusal::NoHeight.into()),
         DataProblem::Dependent { items } => (list, DataRefusal::Dependent { items }.into()),
     };

@@ -1,6 +1,7 @@
 //! What is wrong with a design, as facts; the words are made in `levalab-words`.
 
 use crate::path::{Path, quoted};
+use levalab_core::ExpressionProblem;
 use std::fmt;
 
 /// Why a design cannot be opened: where, and what is wrong there.
@@ -288,6 +289,24 @@ pub enum DataRefusal {
     Dependent {
         /// Indices of those that do.
         items: Vec<usize>,
+    },
+    /// The first or the last point of a table is not where the segment begins or ends.
+    NotAtEnd {
+        /// Where it is.
+        found: f64,
+        /// Where it should be.
+        expected: f64,
+        /// What places are measured in.
+        measure: Measure,
+    },
+    /// A point of a table that does not come after the one before it.
+    Unordered,
+    /// A text that is no expression.
+    Expression(ExpressionProblem),
+    /// An expression that has no value, or no derivative, near an x.
+    Undefined {
+        /// The x.
+        x: f64,
     },
     /// A rise that is not what the data of the segment come to.
     RiseDisagrees {

@@ -193,11 +193,12 @@ fn read_segment(segment: &Object) -> Result<SegmentDesign, DesignError> {
     let shared: Vec<&'static str> = ["law", "beta", "rise"].into_iter().chain(data::data_key(law)).collect();
     let parameters: [f64; MAX_LAW_PARAMETERS] = segment.parameters(&shared, law.parameters)?;
     let beta = segment.required("beta")?.number()?;
+    let data = data::read(segment, law)?;
     let rise = match segment.optional("rise") {
-        None if law.is_dwell() || law.free().is_some() => 0.0,
+        None if !data::asks_for_rise(law, &data) => 0.0,
         _ => segment.required("rise")?.number()?,
     };
-    Ok(SegmentDesign { law, beta, rise, parameters, data: data::read(segment, law)? })
+    Ok(SegmentDesign { law, beta, rise, parameters, data })
 }
 
 /// A value with its place.
@@ -212,7 +213,7 @@ impl Field<'_> {
         self.value.as_f64().map(|value| value + 0.0).ok_or_else(|| self.wrong_kind(Kind::Number))
     }
 
-    fn text(&self) -> Result<String, DesignError> {
+    pub fn text(&self) -> Result<String, DesignError> {
         self.value.as_str().map(str::to_owned).ok_or_else(|| self.wrong_kind(Kind::Text))
     }
 

@@ -1,5 +1,6 @@
 //! Random designs for tests, from a seed.
 
+use crate::data;
 use crate::design::default_of;
 use crate::limits::MAX_SEGMENTS;
 use crate::{BreadthGenerator, CamKind, Conjugate, Design, LengthUnit, SegmentDesign, Speed, SpeedUnit};
@@ -96,6 +97,7 @@ fn candidate(random: &mut Random) -> Design {
         last.rise = tidy(last.rise + breadth - 2.0 * base_radius);
         if last.law.is_dwell() || last.law.free().is_some() {
             last.law = Law::by_id("cycloidal").unwrap_or(last.law);
+            last.parameters = last.law.default_parameters();
             last.data = Data::None;
         }
     }
@@ -166,9 +168,9 @@ fn segments(random: &mut Random, decimals: Decimals, travel: f64, cycle: f64) ->
         height = tidy(height + rise);
         let parameters = parameters(random, decimals, law, beta);
         let span = (beta, tidy(height - rise), height);
-        let data = law.free().map_or(Data::None, |free| data(random, decimals, free.data, span));
-        let rise = if law.free().is_some() { 0.0 } else { rise };
-        segments.push(SegmentDesign { law, beta, rise, parameters, data });
+        let made = law.free().map_or(Data::None, |free| data_of(random, decimals, free.data, span));
+        let rise = if law.is_dwell() || data::asks_for_rise(law, &made) { rise } else { 0.0 };
+        segments.push(SegmentDesign { law, beta, rise, parameters, data: made });
     }
     segments
 }
@@ -189,13 +191,14 @@ fn parameters(random: &mut Random, decimals: Decimals, law: &Law, beta: f64) -> 
     for (value, parameter) in values.iter_mut().zip(law.parameters) {
         let default = default_of(parameter, beta).filter(|_| random.once_in(2));
         let whole = if parameter.quantity == Quantity::Span { beta } else { 1.0 };
+        let default = default.or_else(|| (parameter.key == "degree").then(|| random.below(5) as f64 + 4.0));
         *value = default.unwrap_or_else(|| decimals.round(whole * random.between(0.0, 0.5)));
     }
     values
 }
 
 /// Data that lead from one height to another over β: round numbers or long ones, few or many.
-fn data(random: &mut Random, decimals: Decimals, kind: DataKind, (beta, start, end): (f64, f64, f64)) -> Data {
+fn data_of(random: &mut Random, decimals: Decimals, kind: DataKind, (beta, start, end): (f64, f64, f64)) -> Data {
     let lift = start.abs().max(end.abs()).max(1.0);
     match kind {
         DataKind::Conditions => {
@@ -215,6 +218,29 @@ fn data(random: &mut Random, decimals: Decimals, kind: DataKind, (beta, start, e
                 conditions.push(at(decimals.round(beta * random.between(0.05, 0.95)), 0, height));
             }
             Data::Conditions(conditions)
+        }
+        DataKind::Points => {
+            let count = 2 + random.below(12);
+            let at = |k: usize| if k + 1 == count { beta } else { tidy(beta * k as f64 / (count - 1) as f64) };
+            let height = |random: &mut Random| decimals.round(lift * random.unit());
+            let mut points: Vec<[f64; 2]> = (0..count).map(|k| [at(k), height(random)]).collect();
+            (points[0][1], points[count - 1][1]) = (start, end);
+            Data::Points(points)
+        }
+        DataKind::Ordinates => {
+            let inner = (0..random.below(9)).map(|_| decimals.round(lift * random.unit()));
+            let inner: Vec<f64> = inner.collect();
+            Data::Ordinates([vec![start], inner, vec![end]].concat())
+        }
+        DataKind::Expression => {
+            let rise = tidy(end - start);
+            let texts = [
+                "s₀ + L (10x³ − 15x⁴ + 6x⁵)".to_owned(),
+                "s0 + L·sin(πx/2)^2".to_owned(),
+                format!("{start} + {rise}(1 - cos(πθ/β))/2"),
+                format!("{start}+{rise}x^3,5"),
+            ];
+            Data::Expression(random.pick(&texts).clone())
         }
     }
 }

@@ -91,7 +91,7 @@ impl Design {
 
 fn segment_entries(segment: &SegmentDesign) -> Entries {
     let mut entries = vec![("law", segment.law.id.into()), ("beta", number(segment.beta))];
-    if !segment.law.is_dwell() && segment.law.free().is_none() {
+    if data::asks_for_rise(segment.law, &segment.data) {
         entries.push(("rise", number(segment.rise)));
     }
     entries.extend(parameter_entries(segment.law.parameters, &segment.parameters));

@@ -2,7 +2,7 @@
 
 use crate::lab::Current;
 use levalab_core::{Body, Cam, Column, Element, Segment, angle_between};
-use levalab_format::report::{Range, degrees, level_name};
+use levalab_format::report::{Range, degrees, level_name, scale_of};
 use levalab_format::{Design, DesignCure, Edit, link};
 use levalab_words::Language;
 use serde::{Serialize, Serializer};
@@ -24,6 +24,7 @@ pub struct PageReport {
     borders: Vec<f64>,
     /// The segments of a motion that is ready-made.
     program: Option<Vec<PageSegment>>,
+    heights: Vec<f64>,
     omega: f64,
     period: f64,
     pressure_angle_limit: f64,
@@ -165,6 +166,7 @@ impl PageReport {
                 .collect(),
             borders: report.borders.clone(),
             program: design.kind.generator().map(|_| segments(cam)),
+            heights: cam.program.heights().iter().map(|height| height * scale_of(design, Column::S)).collect(),
             omega,
             period: cam.program.span() / omega,
             pressure_angle_limit: degrees(cam.follower.pressure_angle_limit()),

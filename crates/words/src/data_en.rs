@@ -2,7 +2,8 @@
 
 use crate::Language;
 use crate::voice::{measured, row};
-use levalab_format::DataRefusal;
+use levalab_core::{ExpressionFault, ExpressionProblem};
+use levalab_format::{DataRefusal, quoted};
 
 const EN: Language = Language::En;
 
@@ -34,11 +35,44 @@ pub(crate) fn refusal(refusal: &DataRefusal) -> String {
                 row(&named, "and")
             )
         }
+        DataRefusal::NotAtEnd { found, expected, measure } => {
+            let [found, expected] = [found, expected].map(|value| measured(*value, *measure, EN));
+            format!(
+                "The table must begin and end with its segment: this point is at {found}, and should be at {expected}."
+            )
+        }
+        DataRefusal::Unordered => "The point does not come after the one before it.".to_owned(),
+        DataRefusal::Expression(problem) => expression(problem),
+        DataRefusal::Undefined { x } => {
+            format!("The formula is not smooth up to its third derivative near x = {}.", EN.number(*x))
+        }
         DataRefusal::RiseDisagrees { found, expected, measure } => {
             let [found, expected] = [found, expected].map(|value| measured(*value, *measure, EN));
             format!(
                 "The data of the segment make it rise {expected}, not {found}: leave the rise out, or correct one of them."
             )
         }
+    }
+}
+
+/// Characters are counted from 1.
+fn expression(ExpressionProblem { at, kind }: &ExpressionProblem) -> String {
+    let at = at + 1;
+    match kind {
+        ExpressionFault::Ends => {
+            format!("A number, a variable or a parenthesis is missing at character {at}, where the formula ends.")
+        }
+        ExpressionFault::TooLong { limit } => format!("The formula is too long: there is room for {limit} characters."),
+        ExpressionFault::TooDeep => format!("Too many parentheses or signs within each other at character {at}."),
+        ExpressionFault::Unexpected(c) => format!("{} has no meaning here, at character {at}.", quoted(&c.to_string())),
+        ExpressionFault::Unknown(name) => format!(
+            "{} at character {at} is not known: there are x, θ, β, L, s₀, π, e, and functions such as sin, cos, exp, ln, sqrt.",
+            quoted(name)
+        ),
+        ExpressionFault::Open => format!("The parenthesis at character {at} is not closed."),
+        ExpressionFault::NoArgument(name) => {
+            format!("{name} at character {at} needs its argument in parentheses, as in {name}(x).")
+        }
+        ExpressionFault::Number => format!("The number at character {at} cannot be read."),
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::Language;
 use crate::voice::{measured, row};
-use levalab_format::DataRefusal;
+use levalab_core::{ExpressionFault, ExpressionProblem};
+use levalab_format::{DataRefusal, quoted};
 
 const ES: Language = Language::Es;
 
@@ -37,11 +38,48 @@ pub(crate) fn refusal(refusal: &DataRefusal) -> String {
                 row(&named, "y")
             )
         }
+        DataRefusal::NotAtEnd { found, expected, measure } => {
+            let [found, expected] = [found, expected].map(|value| measured(*value, *measure, ES));
+            format!(
+                "La tabla tiene que empezar y acabar con su tramo: este punto está en {found} y debería estar en {expected}."
+            )
+        }
+        DataRefusal::Unordered => "El punto no viene después del anterior.".to_owned(),
+        DataRefusal::Expression(problem) => expression(problem),
+        DataRefusal::Undefined { x } => {
+            format!("La fórmula no es suave hasta la tercera derivada cerca de x = {}.", ES.number(*x))
+        }
         DataRefusal::RiseDisagrees { found, expected, measure } => {
             let [found, expected] = [found, expected].map(|value| measured(*value, *measure, ES));
             format!(
                 "Los datos del tramo lo hacen subir {expected} y no {found}: quite la subida, o corrija una de las dos cosas."
             )
         }
+    }
+}
+
+/// Los caracteres se cuentan desde 1.
+fn expression(ExpressionProblem { at, kind }: &ExpressionProblem) -> String {
+    let at = at + 1;
+    match kind {
+        ExpressionFault::Ends => {
+            format!("Falta un número, una variable o un paréntesis en el carácter {at}, donde acaba la fórmula.")
+        }
+        ExpressionFault::TooLong { limit } => {
+            format!("La fórmula es demasiado larga: no caben más de {limit} caracteres.")
+        }
+        ExpressionFault::TooDeep => format!("Demasiados paréntesis o signos unos dentro de otros en el carácter {at}."),
+        ExpressionFault::Unexpected(c) => {
+            format!("{} no tiene sentido aquí, en el carácter {at}.", quoted(&c.to_string()))
+        }
+        ExpressionFault::Unknown(name) => format!(
+            "{} en el carácter {at} no se conoce: hay x, θ, β, L, s₀, π, e, y funciones como sin (o sen), cos, exp, ln, sqrt.",
+            quoted(name)
+        ),
+        ExpressionFault::Open => format!("El paréntesis del carácter {at} no se cierra."),
+        ExpressionFault::NoArgument(name) => {
+            format!("{name} en el carácter {at} necesita su argumento entre paréntesis, como en {name}(x).")
+        }
+        ExpressionFault::Number => format!("El número del carácter {at} no se puede leer."),
     }
 }

@@ -36,6 +36,10 @@ impl Voice for English {
             "polynomial-5" => "5th-degree polynomial",
             "polynomial-7" => "7th-degree polynomial",
             "polynomial" => "polynomial through conditions",
+            "bspline" => "B-spline",
+            "bezier" => "Bézier",
+            "table" => "table",
+            "formula" => "formula",
             "circular-arc" => "circular arc",
             _ => return None,
         })

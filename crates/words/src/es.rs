@@ -36,6 +36,10 @@ impl Voice for Spanish {
             "polynomial-5" => "polinómica de 5.º grado",
             "polynomial-7" => "polinómica de 7.º grado",
             "polynomial" => "polinómica por condiciones",
+            "bspline" => "B-spline",
+            "bezier" => "de Bézier",
+            "table" => "por tabla",
+            "formula" => "por fórmula",
             "circular-arc" => "de arco de circunferencia",
             _ => return None,
         })

@@ -1,7 +1,9 @@
 //! Claims about sentences.
 
 use super::*;
-use levalab_core::{Analysis, Closure, Column, FOLLOWERS, FindingKind, LAWS, Level};
+use levalab_core::{
+    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, LAWS, Level,
+};
 use levalab_format::{CamKind, DataRefusal, Kind, Measure, Path, Problem, cures, example};
 
 fn report(name: &str) -> (Design, Report) {
@@ -75,6 +77,17 @@ fn problems() -> Vec<Problem> {
         DataRefusal::NoHeight.into(),
         DataRefusal::Dependent { items: vec![1] }.into(),
         DataRefusal::Dependent { items: vec![0, 2, 3] }.into(),
+        DataRefusal::NotAtEnd { found: 99.5, expected: 100.0, measure }.into(),
+        DataRefusal::Unordered.into(),
+        DataRefusal::Undefined { x: 0.25 }.into(),
+        fault(ExpressionFault::Ends),
+        fault(ExpressionFault::TooLong { limit: 512 }),
+        fault(ExpressionFault::TooDeep),
+        fault(ExpressionFault::Unexpected('\n')),
+        fault(ExpressionFault::Unknown("y".to_owned())),
+        fault(ExpressionFault::Open),
+        fault(ExpressionFault::NoArgument("sin".to_owned())),
+        fault(ExpressionFault::Number),
         DataRefusal::RiseDisagrees { found: 10.0, expected: 9.5, measure }.into(),
         Problem::AdjacentPolynomials { next: 2 },
         Problem::Turn { found: 359.0, whole: 360.0, measure },
@@ -94,6 +107,10 @@ fn problems() -> Vec<Problem> {
         Problem::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 },
         Problem::FaceOutOfReach { pivot_distance: 30.0, needed: 40.0 },
     ]
+}
+
+fn fault(kind: ExpressionFault) -> Problem {
+    DataRefusal::Expression(ExpressionProblem { at: 3, kind }).into()
 }
 
 fn links() -> Vec<LinkError> {

@@ -1,6 +1,8 @@
 //! What a free law is made from besides numbers: conditions to meet, and what can be wrong with them.
 
-use super::Piece;
+use super::{MAX_LAW_PARAMETERS, Piece};
+use crate::Svaj;
+use crate::expression::ExpressionProblem;
 
 /// A value that *s* or one of its derivatives takes somewhere in a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +23,12 @@ pub enum Data {
     None,
     /// Conditions to meet, in any order.
     Conditions(Vec<Condition>),
+    /// Points to go through: where, from the segment's start, and *s* there.
+    Points(Vec<[f64; 2]>),
+    /// Ordinates of *s* at even steps.
+    Ordinates(Vec<f64>),
+    /// An expression of *s*.
+    Expression(String),
 }
 
 /// The kinds of data that a law may be made from.
@@ -28,6 +36,12 @@ pub enum Data {
 pub enum DataKind {
     /// [`Data::Conditions`].
     Conditions,
+    /// [`Data::Points`].
+    Points,
+    /// [`Data::Ordinates`].
+    Ordinates,
+    /// [`Data::Expression`].
+    Expression,
 }
 
 /// What a free law is solved for.
@@ -39,6 +53,32 @@ pub struct Given<'a> {
     pub beta: f64,
     /// The height at which the segment before it ends.
     pub start: f64,
+    /// L as it is told, for a law that asks for it.
+    pub rise: f64,
+    /// The law's own parameters.
+    pub parameters: [f64; MAX_LAW_PARAMETERS],
+    /// *v*, *a* and *j* with which the segment before it ends, where that does not depend on this one.
+    pub before: Option<Svaj>,
+    /// Those with which the segment after it begins.
+    pub after: Option<Svaj>,
+    /// True when the segment is the whole cycle, so that it joins itself.
+    pub alone: bool,
+}
+
+impl Default for Given<'_> {
+    fn default() -> Self {
+        let parameters = [0.0; MAX_LAW_PARAMETERS];
+        Self {
+            data: &Data::None,
+            beta: 1.0,
+            start: 0.0,
+            rise: 0.0,
+            parameters,
+            before: None,
+            after: None,
+            alone: false,
+        }
+    }
 }
 
 /// The curve of a free law, in the units of the design and not between 0 and 1.
@@ -92,6 +132,36 @@ pub enum DataProblem {
         /// The item that came before.
         other: usize,
     },
+    /// A degree that is not a whole number from the least to the greatest.
+    Degree {
+        /// The least.
+        min: usize,
+        /// The greatest.
+        max: usize,
+    },
+    /// The first or the last point is not where the segment begins or ends.
+    NotAtEnd {
+        /// The item.
+        item: usize,
+        /// The place given.
+        found: f64,
+        /// Where it should be.
+        expected: f64,
+        /// β.
+        beta: f64,
+    },
+    /// A point that does not come after the one before it.
+    Unordered {
+        /// The item.
+        item: usize,
+    },
+    /// A text that is no expression.
+    Expression(ExpressionProblem),
+    /// An expression that is not smooth near some x.
+    Undefined {
+        /// The x.
+        x: f64,
+    },
     /// Not one of them says a height, so that any would do.
     NoHeight,
     /// No single curve meets them: these depend on each other.
@@ -108,6 +178,9 @@ impl Data {
         match self {
             Self::None => None,
             Self::Conditions(_) => Some(DataKind::Conditions),
+            Self::Points(_) => Some(DataKind::Points),
+            Self::Ordinates(_) => Some(DataKind::Ordinates),
+            Self::Expression(_) => Some(DataKind::Expression),
         }
     }
 
@@ -120,6 +193,9 @@ impl Data {
                 let scaled = |c: &Condition| Condition { at: c.at * along, order: c.order, value: c.value * up };
                 Self::Conditions(conditions.iter().map(scaled).collect())
             }
+            Self::Points(points) => Self::Points(points.iter().map(|[at, s]| [at * along, s * up]).collect()),
+            Self::Ordinates(ordinates) => Self::Ordinates(ordinates.iter().map(|s| s * up).collect()),
+            Self::Expression(text) => Self::Expression(text.clone()),
         }
     }
 }

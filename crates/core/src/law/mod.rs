@@ -4,6 +4,8 @@
 //! to β and L, one-sided limits, extremes, formulas on paper) follows from that list. To add a law, write one file with
 //! a `pub const LAW: Law` and name it in [`LAWS`].
 
+mod bezier;
+mod bspline;
 mod circular_arc;
 mod conditions;
 mod constant_velocity;
@@ -13,6 +15,7 @@ mod cycloidal;
 mod data;
 mod double_harmonic;
 mod dwell;
+mod formula;
 mod half_cycloidal_end;
 mod half_cycloidal_start;
 mod half_harmonic_end;
@@ -29,10 +32,14 @@ mod polynomial_5;
 mod polynomial_7;
 mod scca;
 mod simple_harmonic;
+mod table;
 
+pub use bezier::MAX_ORDINATES;
+pub use bspline::MAX_SPLINE_CONDITIONS;
 pub use circular_arc::LAW as CIRCULAR_ARC;
 pub use data::{Condition, Data, DataKind, DataProblem, Given, Solved};
 pub use polynomial::MAX_CONDITIONS;
+pub use table::MAX_POINTS;
 
 pub(crate) use matched::matched_polynomial;
 
@@ -61,6 +68,10 @@ pub const LAWS: &[&Law] = &[
     &polynomial_5::LAW,
     &polynomial_7::LAW,
     &polynomial::LAW,
+    &bspline::LAW,
+    &bezier::LAW,
+    &table::LAW,
+    &formula::LAW,
 ];
 
 /// Most parameters of its own that a law takes.
@@ -238,7 +249,7 @@ impl Law {
             }
             Shape::Free(Free { first, solve, .. }) => {
                 let data = first(1.0, 0.0, 1.0);
-                Ok(solve(&Given { data: &data, beta: 1.0, start: 0.0 })
+                Ok(solve(&Given { data: &data, rise: 1.0, parameters: arguments.parameters, ..Given::default() })
                     .map_or_else(|_| Vec::new(), |solved| solved.pieces))
             }
         }

@@ -41,13 +41,13 @@ mod tests {
 
     fn solved(beta: f64, conditions: &[(f64, u8, f64)]) -> Result<Solved, DataProblem> {
         let conditions = conditions.iter().map(|&(at, order, value)| Condition { at, order, value }).collect();
-        pieces(&Given { data: &Data::Conditions(conditions), beta, start: 0.0 })
+        pieces(&Given { data: &Data::Conditions(conditions), beta, ..Given::default() })
     }
 
     #[test]
     fn at_rest_it_is_the_3_4_5() {
         let data = at_rest(1.0, 0.0, 1.0);
-        let solved = pieces(&Given { data: &data, beta: 1.0, start: 0.0 }).expect("solved");
+        let solved = pieces(&Given { data: &data, ..Given::default() }).expect("solved");
         let found = solved.pieces[0].curve.coefficients().expect("a polynomial");
         for (found, expected) in found.iter().zip([0.0, 0.0, 0.0, 10.0, -15.0, 6.0]) {
             assert!((found - expected).abs() < 1e-12, "{found}, not {expected}");

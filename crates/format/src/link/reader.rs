@@ -21,7 +21,7 @@ pub(super) fn read(fields: &str) -> Result<Design, LinkError> {
 }
 
 /// What is left to read.
-pub(super) struct Fields<'a>(&'a str);
+pub(super) struct Fields<'a>(pub(super) &'a str);
 
 impl<'a> Fields<'a> {
     fn design(&mut self) -> Option<Design> {

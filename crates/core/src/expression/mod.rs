@@ -1,0 +1,215 @@
+//! The user's own formula: read once, then computed with its derivatives up to the third.
+//!
+//! All an expression can do is compute a number, in a bounded number of steps: its text and its depth are bounded, and it runs as a list of
+//! operations on a stack of its own.
+
+mod domain;
+mod jet;
+mod parse;
+#[cfg(test)]
+mod tests;
+
+pub use parse::{ExpressionFault, ExpressionProblem, MAX_EXPRESSION};
+
+use crate::Svaj;
+use jet::Jet;
+use std::f64::consts::{E, LN_10, PI};
+
+/// An expression that has been read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Expression {
+    /// Operands before operators.
+    ops: Vec<Op>,
+}
+
+/// What an expression may name besides x.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Variables {
+    /// β, radians; θ goes from 0 to it.
+    pub beta: f64,
+    /// L.
+    pub rise: f64,
+    /// s₀, the height at which the segment before ends.
+    pub start: f64,
+}
+
+/// An expression with its variables: s = k·f(x) + c.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    expression: Expression,
+    variables: Variables,
+    scale: f64,
+    shift: f64,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Op {
+    Number(f64),
+    Constant(Constant),
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Neg,
+    Pow,
+    Call(Function),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Constant {
+    X,
+    Theta,
+    Beta,
+    Rise,
+    Start,
+    Pi,
+    Euler,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Function {
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
+    Exp,
+    Ln,
+    Log,
+    Sqrt,
+}
+
+impl Expression {
+    /// True when L is named, so that a rise must be told.
+    #[must_use]
+    pub fn names_rise(&self) -> bool {
+        self.ops.contains(&Op::Constant(Constant::Rise))
+    }
+
+    /// With its variables: a formula for x ∈ [0, 1].
+    ///
+    /// # Errors
+    /// An x near which it, or one of its derivatives, is not defined.
+    pub fn with(self, variables: Variables) -> Result<Formula, f64> {
+        domain::check(&self, &variables)?;
+        Ok(Formula { expression: self, variables, scale: 1.0, shift: 0.0 })
+    }
+
+    fn at(&self, x: f64, variables: &Variables) -> Jet {
+        let mut stack: Vec<Jet> = Vec::with_capacity(self.ops.len().min(64));
+        for op in &self.ops {
+            let value = match *op {
+                Op::Number(value) => Jet::constant(value),
+                Op::Constant(Constant::X) => Jet::variable(x, 1.0),
+                Op::Constant(Constant::Theta) => Jet::variable(variables.beta * x, variables.beta),
+                Op::Constant(constant) => Jet::constant(value_of(constant, x, variables)),
+                Op::Neg => -pop(&mut stack),
+                Op::Call(function) => {
+                    let argument = pop(&mut stack);
+                    argument.through(function.derivatives(argument.0[0]))
+                }
+                Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow => {
+                    let (right, left) = (pop(&mut stack), pop(&mut stack));
+                    match op {
+                        Op::Add => left + right,
+                        Op::Sub => left - right,
+                        Op::Mul => left * right,
+                        Op::Div => left / right,
+                        _ => power(left, right),
+                    }
+                }
+            };
+            stack.push(value);
+        }
+        pop(&mut stack)
+    }
+}
+
+impl Formula {
+    /// s and its three derivatives with respect to x.
+    #[must_use]
+    pub fn at(&self, x: f64) -> Svaj {
+        let motion = self.expression.at(x, &self.variables).motion() * self.scale;
+        Svaj { s: motion.s + self.shift, ..motion }
+    }
+
+    /// k·s(x) + c.
+    #[must_use]
+    pub fn scaled(mut self, k: f64, c: f64) -> Self {
+        self.scale *= k;
+        self.shift = self.shift * k + c;
+        self
+    }
+}
+
+/// The parser leaves an operand for every operator.
+fn pop(stack: &mut Vec<Jet>) -> Jet {
+    stack.pop().unwrap_or(Jet::constant(0.0))
+}
+
+fn value_of(constant: Constant, x: f64, variables: &Variables) -> f64 {
+    match constant {
+        Constant::X => x,
+        Constant::Theta => variables.beta * x,
+        Constant::Beta => variables.beta,
+        Constant::Rise => variables.rise,
+        Constant::Start => variables.start,
+        Constant::Pi => PI,
+        Constant::Euler => E,
+    }
+}
+
+fn power(base: Jet, exponent: Jet) -> Jet {
+    if exponent.0[1..] == [0.0; 3] {
+        return base.power(exponent.0[0]);
+    }
+    // u^w = e^(w·ln u).
+    let product = exponent * base.through(Function::Ln.derivatives(base.0[0]));
+    product.through(Function::Exp.derivatives(product.0[0]))
+}
+
+impl Function {
+    /// The function and its three derivatives.
+    fn derivatives(self, u: f64) -> [f64; 4] {
+        match self {
+            Self::Sin => [u.sin(), u.cos(), -u.sin(), -u.cos()],
+            Self::Cos => [u.cos(), -u.sin(), -u.cos(), u.sin()],
+            Self::Tan => {
+                let t = u.tan();
+                let d = 1.0 + t * t;
+                [t, d, 2.0 * t * d, 2.0 * d * (1.0 + 3.0 * t * t)]
+            }
+            Self::Asin => {
+                let r = 1.0 / (1.0 - u * u);
+                let d = r.sqrt();
+                [u.asin(), d, u * d * r, (1.0 + 2.0 * u * u) * d * r * r]
+            }
+            Self::Acos => {
+                let [_, d1, d2, d3] = Self::Asin.derivatives(u);
+                [u.acos(), -d1, -d2, -d3]
+            }
+            Self::Atan => {
+                let r = 1.0 / (1.0 + u * u);
+                [u.atan(), r, -2.0 * u * r * r, (6.0 * u * u - 2.0) * r * r * r]
+            }
+            Self::Sinh => [u.sinh(), u.cosh(), u.sinh(), u.cosh()],
+            Self::Cosh => [u.cosh(), u.sinh(), u.cosh(), u.sinh()],
+            Self::Tanh => {
+                let t = u.tanh();
+                let d = 1.0 - t * t;
+                [t, d, -2.0 * t * d, 2.0 * d * (3.0 * t * t - 1.0)]
+            }
+            Self::Exp => [u.exp(); 4],
+            Self::Ln => [u.ln(), 1.0 / u, -1.0 / (u * u), 2.0 / (u * u * u)],
+            Self::Log => Self::Ln.derivatives(u).map(|value| value / LN_10),
+            Self::Sqrt => {
+                let r = u.sqrt();
+                [r, 0.5 / r, -0.25 / (r * u), 0.375 / (r * u * u)]
+            }
+        }
+    }
+}
