@@ -369,14 +369,14 @@ pub const LAWS: &[LawWords] = &[
     LawWords {
         id: "table",
         idea: two(
-            "Measured points $(θ, s)$, joined or smoothed by a spline whose derivatives are then exact.",
-            "Puntos medidos $(θ, s)$, unidos o alisados por una spline cuyas derivadas son después exactas.",
+            "Measured points $(θ, s)$, joined by a spline of the fifth degree with a continuous jerk, whose derivatives are then exact. At its ends it takes $v$ and $a$ from its neighbours.",
+            "Puntos medidos $(θ, s)$, unidos por una spline de quinto grado con sobreaceleración continua, cuyas derivadas son después exactas. En los extremos toma $v$ y $a$ de sus vecinos.",
         ),
         use_it: two(
-            "To study an existing cam. Each derivative multiplies the errors of measurement: smooth until the acceleration looks like that of a machine.",
-            "Para estudiar una leva existente. Cada derivada multiplica los errores de medida: alísese hasta que la aceleración parezca la de una máquina.",
+            "To study an existing cam. Each derivative multiplies the errors of measurement: few points with many digits are better than many with few.",
+            "Para estudiar una leva existente. Cada derivada multiplica los errores de medida: más valen pocos puntos con muchas cifras que muchos con pocas.",
         ),
-        formulas: &["s(θ_k) ≈ s_k, k = 1, …, n"],
+        formulas: &["s(θ_k) = s_k, k = 1, …, n"],
         source: "C. de Boor, A Practical Guide to Splines",
     },
 ];
