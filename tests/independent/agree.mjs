@@ -148,7 +148,7 @@ export function disagreements(binary, design, samples) {
   // One scale for what shares an axis; a curve that is all but flat is not measured by its own rounding.
   const size = Math.max(...expected.x.map(Math.abs), ...expected.y.map(Math.abs));
   for (const [name, values] of Object.entries(expected)) {
-    const inPlane = ["x", "y", "pitch_x", "pitch_y", "contact"].includes(name);
+    const inPlane = ["x", "y", "pitch_x", "pitch_y", "outer_x", "outer_y", "contact"].includes(name);
     const scale = inPlane ? size : Math.max(...values.map(Math.abs));
     const same = name.startsWith("rho") ? sameRadius(size) : name === "pressure_angle" ? sameAngle(design.follower) : sameValue(scale);
     const row = values.findIndex((value, i) => !same(found[name]?.[i], value));

@@ -9,8 +9,8 @@ const RADIANS = PI / 180;
 
 /**
  * @typedef {{ motion: string, contact: string, [parameter: string]: number | string }} Follower
- * @typedef {{ kind: string, rotation?: string, base_radius: number }} Cam
- * @typedef {{ cam: Cam, follower: Follower, segments: import("./motion.mjs").Segment[], [other: string]: unknown }} Design
+ * @typedef {{ kind: string, rotation?: string, base_radius: number, length?: number, breadth?: number, generator?: string, sides?: number }} Cam
+ * @typedef {{ cam: Cam, follower: Follower, segments?: import("./motion.mjs").Segment[], [other: string]: unknown }} Design
  */
 
 /**
@@ -121,7 +121,9 @@ function turned(angle, touch) {
  * @returns {Record<string, number[]>}
  */
 export function columns(design, samples) {
-  const { cam, follower, segments } = design;
+  const { cam, follower } = design;
+  if (cam.kind === "translating") return travelled(design, samples);
+  const segments = program(design);
   const sense = cam.rotation === "clockwise" ? -1 : 1;
   const unit = follower.motion === "oscillating" ? RADIANS : 1;
   const touch = FOLLOWERS[`${follower.motion}-${follower.contact}`];
@@ -135,11 +137,64 @@ export function columns(design, samples) {
     const { x, y, pitchX, pitchY } = turned(-sense * (theta % 360) * RADIANS, fixed);
     const [s, v, a, j] = state;
     const { rho, rhoPitch: rho_pitch, contact } = fixed;
-    const ofTheCam = { rho, rho_pitch, x, y, pitch_x: pitchX, pitch_y: pitchY, contact };
+    // The outer wall of a groove lies as far beyond the centre of the roller as the inner one lies before it.
+    const grooved = cam.kind === "grooved" && pitchX !== undefined && pitchY !== undefined;
+    const outer = grooved ? { outer_x: 2 * pitchX - x, outer_y: 2 * pitchY - y } : {};
+    const ofTheCam = { rho, rho_pitch, x, y, pitch_x: pitchX, pitch_y: pitchY, contact, ...outer };
     const values = { theta, s, v, a, j, pressure_angle: fixed.phi / RADIANS, ...ofTheCam };
     for (const [name, value] of Object.entries(values)) {
       if (value !== undefined) (table[name] ??= []).push(value);
     }
+  }
+  return table;
+}
+
+/**
+ * The segments of a design over a whole turn; those of a ready-made motion of constant breadth spelled out.
+ * @param {Design} design
+ * @returns {import("./motion.mjs").Segment[]}
+ */
+function program({ cam, segments = [] }) {
+  const { kind, generator, breadth = 0, base_radius, sides = 3 } = cam;
+  if (kind !== "constant-breadth") return segments;
+  const rise = breadth - 2 * base_radius;
+  if (generator === "harmonic") {
+    const dwell = { law: "dwell", beta: 60 };
+    return [1, -1].flatMap((sign) => [{ law: "simple-harmonic", beta: 120, rise: sign * rise }, dwell]);
+  }
+  if (generator === "circular-arc") {
+    return Array.from({ length: 2 * sides }, (_, k) => ({ law: "circular-arc", beta: 180 / sides, rise: k % 2 === 0 ? rise : -rise }));
+  }
+  const image = segments.map((segment) => ({ ...segment, rise: -(segment.rise ?? 0) }));
+  return [...segments, ...image];
+}
+
+/** Degrees: so little before its end a travel is at its end, where a turn would be at its beginning. */
+const BEFORE_THE_END = 1e-9;
+
+/**
+ * A cam that travels, with a disc of radius Rf on the y axis: P = x + i(Rf + s), tan φ = s′, ρp = −(1 + s′²)^(3/2)/s″.
+ * @param {Design} design
+ * @param {number} samples
+ * @returns {Record<string, number[]>}
+ */
+function travelled({ cam, follower, segments = [] }, samples) {
+  const length = cam.length ?? 0;
+  const radius = Number(follower.roller_radius ?? follower.face_radius ?? 0);
+  // The same motion over a turn, whose derivatives are then taken along the travel.
+  const at = motion(segments.map((segment) => ({ ...segment, beta: (segment.beta * 360) / length })));
+  /** @type {Record<string, number[]>} */
+  const table = {};
+  for (let row = 0; row <= samples; row++) {
+    const theta = (length * row) / samples;
+    const state = at(Math.min((360 * row) / samples, 360 - BEFORE_THE_END));
+    const [s, v, a, j] = state.map((value, order) => value * ((2 * PI) / length) ** order);
+    const h = hypot(1, v);
+    const rho_pitch = -(h ** 3) / a;
+    const [pitch_x, pitch_y] = [theta, radius + s];
+    const [x, y] = [pitch_x + (radius * v) / h, pitch_y - radius / h];
+    const values = { theta, s, v, a, j, pressure_angle: Math.atan(v) / RADIANS, rho: rho_pitch - radius, rho_pitch, x, y, pitch_x, pitch_y };
+    for (const [name, value] of Object.entries(values)) (table[name] ??= []).push(value);
   }
   return table;
 }

@@ -180,6 +180,16 @@ const MATCHED = {
   },
 };
 
+/** The support of a circle under a flat face, for cams made of arcs alone. @type {typeof LAWS} */
+const ARCS = {
+  "circular-arc": (x, { beta }) => {
+    const angle = (beta * PI) / 180;
+    const height = 1 / (2 * (1 - cos(angle / 2)));
+    const half = (/** @type {number} */ u) => /** @type {State} */ ([height * (1 - cos(angle * u)), height * angle * sin(angle * u), height * angle ** 2 * cos(angle * u), -height * angle ** 3 * sin(angle * u)]);
+    return antisymmetric(half, x);
+  },
+};
+
 export const FREE_LAWS = [...Object.keys(LAWS), ...Object.keys(ABSOLUTE)];
 export const MATCHED_LAWS = Object.keys(MATCHED);
 
@@ -205,7 +215,7 @@ export function motion(segments) {
     const own = absolute[k];
     if (own) return own(x);
     const radians = (beta * PI) / 180;
-    const unit = LAWS[law](x, segments[k]);
+    const unit = (LAWS[law] ?? ARCS[law])(x, segments[k]);
     return /** @type {State} */ (unit.map((value, order) => (order === 0 ? heights[k] : 0) + (rise * value) / radians ** order));
   };
   /** @param {number} k @param {number} x @returns {State} */

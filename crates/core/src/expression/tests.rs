@@ -191,14 +191,13 @@ impl Tree {
         let over = |a: Self, b: Self| Self::Div(boxed(a), boxed(b));
         match self {
             Self::X => Self::Number(1.0),
-            Self::Number(_) => Self::Number(0.0),
+            Self::Number(_) | Self::Power(_, 0) => Self::Number(0.0),
             Self::Add(a, b) => plus(a.derivative(), b.derivative()),
             Self::Mul(a, b) => plus(times(a.derivative(), (**b).clone()), times((**a).clone(), b.derivative())),
             Self::Div(a, b) => {
                 let low = times(times(Self::Number(-1.0), (**a).clone()), b.derivative());
                 over(plus(times(a.derivative(), (**b).clone()), low), Self::Power(b.clone(), 2))
             }
-            Self::Power(_, 0) => Self::Number(0.0),
             Self::Power(a, n) => {
                 times(times(Self::Number(f64::from(*n)), Self::Power(a.clone(), n - 1)), a.derivative())
             }

@@ -207,11 +207,11 @@ mod tests {
         });
         for pair in pieces.windows(2) {
             let (left, right) = (pair[0].at(pair[0].until), pair[1].at(pair[0].until));
-            for order in 0..4 {
+            for (order, scale) in scales.iter().enumerate() {
                 let miss = (left.order(order) - right.order(order)).abs();
                 // Rounding of the heights, over the powers of the distance: what a program allows for.
                 let rounding = 64.0 * f64::EPSILON * 25.0 / pair[1].span.min(pair[0].span).powi(order as i32);
-                assert!(miss <= 1e-10 * scales[order] + rounding, "order {order} jumps by {miss} of {}", scales[order]);
+                assert!(miss <= 1e-10 * scale + rounding, "order {order} jumps by {miss} of {scale}");
             }
         }
     }

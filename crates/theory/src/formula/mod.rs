@@ -37,7 +37,7 @@ pub enum Formula {
     Apply(Box<Formula>, Box<Formula>),
     /// |a|
     Size(Box<Formula>),
-    /// [a], where the brackets are meant to be seen.
+    /// `[a]`, where the brackets are meant to be seen.
     Bracket(Box<Formula>),
     /// a = b ≤ c: the first side, and what follows with the sign before it.
     Relation(Box<Formula>, Vec<(char, Formula)>),
