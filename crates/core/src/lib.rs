@@ -40,6 +40,7 @@ mod follower;
 mod form;
 mod interference;
 pub mod law;
+pub mod nearest;
 mod parameter;
 mod program;
 mod samples;

@@ -2,11 +2,11 @@
 
 use crate::data;
 use crate::decimal::Decimal;
-use crate::nearest::nearest;
 use crate::report::{scale_of, tidy};
 use crate::write::{number, segment_value};
 use crate::{CamKind, Conjugate, Design, DesignError, Path, PathPart, SegmentDesign};
 use levalab_core::law::Data;
+use levalab_core::nearest::nearest;
 use levalab_core::{Analysis, Cam, Column, Cure, Finding, Law, Tie, prescribe, resized, working_ties};
 use serde::Serialize;
 use serde_json::Value;

@@ -1,6 +1,6 @@
 //! Sums of decimals without rounding: what was typed adds up as on paper.
 
-use crate::nearest::nearest;
+use levalab_core::nearest::nearest;
 use std::iter::Sum;
 use std::ops::{Add, Neg, Sub};
 

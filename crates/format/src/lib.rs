@@ -32,7 +32,6 @@ mod json;
 mod kind;
 pub mod limits;
 pub mod link;
-mod nearest;
 mod pair;
 mod path;
 mod read;

@@ -1,6 +1,7 @@
 //! From text to operations: numbers in either decimal form, implicit products, and refusals that point at a character.
 
 use super::{Constant, Expression, Function, Op};
+use crate::nearest;
 
 /// Longest expression, characters.
 pub const MAX_EXPRESSION: usize = 512;
@@ -205,8 +206,8 @@ impl Parser {
             self.at += 1 + sign;
             digits(self, &mut text);
         }
-        match text.parse::<f64>() {
-            Ok(value) if value.is_finite() => {
+        match nearest::parse(&text) {
+            Some(value) if value.is_finite() => {
                 self.ops.push(Op::Number(value));
                 Ok(())
             }

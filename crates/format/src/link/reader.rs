@@ -139,7 +139,7 @@ impl<'a> Fields<'a> {
             let sign = usize::from(text[end + 1..].starts_with('-'));
             end = digits(end + 1 + sign);
         }
-        crate::nearest::parse(self.split(end))
+        levalab_core::nearest::parse(self.split(end))
     }
 
     pub fn take(&mut self, c: char) -> bool {
