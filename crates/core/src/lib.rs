@@ -32,6 +32,7 @@ mod cam;
 mod conjugate;
 mod cure;
 mod curve;
+mod cycle;
 mod error;
 mod expression;
 mod extreme;
@@ -46,6 +47,7 @@ mod program;
 mod samples;
 mod series;
 mod sizing;
+mod stretch;
 mod svaj;
 
 pub use analysis::{Analysis, Column, Summary};
@@ -54,6 +56,7 @@ pub use cam::{Cam, Closure};
 pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, working_ties};
 pub use cure::{Cure, prescribe};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
+pub use cycle::Cycle;
 pub use error::{CamError, GeometryError, GeometryProblem, ProgramError, ProgramProblem};
 pub use expression::{Expression, ExpressionFault, ExpressionProblem, Formula, MAX_EXPRESSION, Variables};
 pub use extreme::Extremes;
@@ -65,9 +68,8 @@ pub use follower::{
 pub use form::Form;
 pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
-pub use program::{
-    CLOSING_TOLERANCE, Cycle, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, Stretch, TURN_TOLERANCE,
-};
+pub use program::{CLOSING_TOLERANCE, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, TURN_TOLERANCE};
 pub use series::Series;
 pub use sizing::{balanced_eccentricity, resized, shortest_travel, smallest_base_radius};
+pub use stretch::Stretch;
 pub use svaj::Svaj;

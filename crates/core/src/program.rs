@@ -1,7 +1,7 @@
 //! The motion program: segments that cover one cycle of the cam, joined into a list of smooth pieces.
 
 use crate::law::{Arguments, Data, Given, Law, MAX_LAW_PARAMETERS, Piece, Shape, Solved, matched_polynomial};
-use crate::{Form, ProgramError, ProgramProblem, Svaj};
+use crate::{Cycle, ProgramError, ProgramProblem, Stretch, Svaj};
 use std::f64::consts::{PI, TAU};
 
 /// One stretch of the program.
@@ -34,37 +34,6 @@ impl Segment {
     }
 }
 
-/// How segments make a whole cycle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cycle {
-    /// They cover one turn, and the last joins the first.
-    Turn,
-    /// They cover half a turn, and the other half is theirs upside down: s(θ + π) = L − s(θ), with L the whole rise. Cams of
-    /// constant breadth move so.
-    Mirrored,
-    /// They cover a travel of this length, forth and then back, so that each end joins itself.
-    Travel(f64),
-}
-
-impl Cycle {
-    /// What the segments must add up to: radians, or length.
-    fn given(self) -> f64 {
-        match self {
-            Self::Turn => TAU,
-            Self::Mirrored => PI,
-            Self::Travel(length) => length,
-        }
-    }
-
-    /// What the program covers: radians, or length.
-    fn span(self) -> f64 {
-        match self {
-            Self::Turn | Self::Mirrored => TAU,
-            Self::Travel(length) => length,
-        }
-    }
-}
-
 /// Most segments that a program may have: the cap that links and forms share.
 pub const MAX_SEGMENTS: usize = 64;
 
@@ -87,63 +56,6 @@ const SNAP: f64 = 1e-11;
 
 /// A system worse conditioned than this leaves fewer than six of an `f64`'s sixteen digits: its curve is not to be trusted.
 pub(crate) const LEAST_TRUSTED: f64 = 1e10;
-
-/// A smooth stretch of the cycle: s = curve((θ − origin)/beta), for θ from `from` to `to`.
-#[derive(Clone, Debug)]
-pub struct Stretch {
-    /// First θ, radians.
-    pub from: f64,
-    /// Last θ, radians.
-    pub to: f64,
-    /// The segment it belongs to.
-    pub segment: usize,
-    origin: f64,
-    beta: f64,
-    per_beta: f64,
-    curve: Form,
-}
-
-impl Stretch {
-    /// Displacement and derivatives; at `from` and `to`, the one-sided limits from inside.
-    #[must_use]
-    #[inline]
-    pub fn at(&self, theta: f64) -> Svaj {
-        let y = self.curve.at((theta - self.origin) * self.per_beta);
-        let (k, k2) = (self.per_beta, self.per_beta * self.per_beta);
-        Svaj::new(y.s, y.v * k, y.a * k2, y.j * (k2 * k))
-    }
-
-    /// What the rounding of heights of a size makes of a derivative over so short a stretch, as a spline of many points has.
-    fn rounding(&self, height: f64, order: usize) -> f64 {
-        const DIGITS: f64 = 64.0 * f64::EPSILON;
-        if self.is_still() { 0.0 } else { DIGITS * height / (self.to - self.from).powi(order as i32) }
-    }
-
-    /// True when the follower rests.
-    #[must_use]
-    pub fn is_still(&self) -> bool {
-        self.curve.is_constant()
-    }
-
-    /// The same stretch half a turn later and upside down, from `top`; its segment comes `count` later.
-    fn image(&self, count: usize, top: f64) -> Self {
-        Self {
-            from: self.from + PI,
-            to: self.to + PI,
-            segment: self.segment + count,
-            origin: self.origin + PI,
-            beta: self.beta,
-            per_beta: self.per_beta,
-            curve: self.curve.clone().scaled(-1.0, top),
-        }
-    }
-
-    /// The formula in x = (θ − origin)/β, with its origin and β.
-    #[must_use]
-    pub fn formula(&self) -> (&Form, f64, f64) {
-        (&self.curve, self.origin, self.beta)
-    }
-}
 
 /// A joint between smooth stretches of the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
