@@ -100,6 +100,9 @@ export async function startEngine({ language, restarted }) {
     /** A laboratory besides the page's own. */
     another: () => new module.Lab(),
     failed,
+    /** The module with everything that is not asked for at every visit. */
+    /** @returns {Promise<Module>} */
+    whole: async () => module,
     /** @returns {Catalogue} */
     catalogue() {
       const { first, ...lists } = module.catalogue();

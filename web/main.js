@@ -53,7 +53,7 @@ async function start() {
   if (!store.start(first.design)) store.start(example);
 
   /** @type {ShellContext} */
-  const context = { store, lab: engine.lab, t, format, catalogue, banner, announce, room: engine.room };
+  const context = { store, lab: engine.lab, t, format, catalogue, banner, announce, room: engine.room, whole: engine.whole };
   // What is drawn on canvases comes first in each frame: their text asks for the styles of the page, which costs least while
   // nothing has been written into it.
   mechanism.mount(element("mechanism"), context);

@@ -397,6 +397,8 @@ export interface ShellContext extends Context {
   catalogue: Catalogue;
   /** The room that a design leaves for a second cam, tied in one of the ways that its follower allows. */
   room: (design: Readonly<Design>, key: TieKey) => Room | null;
+  /** The module with what is not asked for at every visit; asked for again before each use, since a panic replaces it. */
+  whole: () => Promise<import("./engine.js").Module>;
   /** Says a sentence to screen readers, politely. */
   announce: (sentence: string) => void;
   banner: Banner;
