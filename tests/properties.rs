@@ -260,7 +260,10 @@ fn reversed(program: &Program) -> Program {
         };
         let mut parameters = segment.parameters;
         if law.parameters.iter().all(|parameter| parameter.quantity == Quantity::Span) {
-            parameters.reverse();
+            parameters[..law.parameters.len()].reverse();
+        }
+        if let Some(crossover) = law.parameters.iter().position(|parameter| parameter.key == "crossover") {
+            parameters[crossover] = 1.0 - parameters[crossover];
         }
         Segment { law, rise: -segment.rise, parameters, data, ..segment.clone() }
     };

@@ -25,7 +25,7 @@ fn ends(segment: &Segment) -> Option<Ends> {
         "constant-velocity" => plain([1.0, 0.0, 0.0], [1.0, 0.0, 0.0]),
         "parabolic" => Some(([0.0, 4.0, 0.0], [0.0, -4.0, 0.0], &[2])),
         "parabolic-blend" => {
-            let [first, last] = segment.parameters;
+            let [first, last, _] = segment.parameters;
             let v = 1.0 / (1.0 - 0.5 * (first + last));
             // Without its parabola an end has the velocity of the line.
             let side = |span: f64| if span > 0.0 { [0.0, v / span, 0.0] } else { [v, 0.0, 0.0] };
@@ -45,6 +45,13 @@ fn ends(segment: &Segment) -> Option<Ends> {
         "modified-trapezoidal" => sine_constant_cosine(0.25, 0.5),
         "modified-sine" => sine_constant_cosine(0.25, 0.0),
         "scca" => sine_constant_cosine(segment.parameters[0], segment.parameters[1]),
+        "skewed-scca" => {
+            let [b, c, crossover] = segment.parameters;
+            // The cosine that swings through the crossover does so at two rates.
+            let within: &[u8] = if crossover == 0.5 { &[] } else { &[3] };
+            sine_constant_cosine(b, c).map(|(start, end, _)| skewed(start, end, crossover, within))
+        }
+        "asymmetric-3-4-5" => Some(skewed([0.0, 0.0, 60.0], [0.0, 0.0, 60.0], segment.parameters[0], &[3])),
         "half-harmonic-start" => plain([0.0, pi2 / 4.0, 0.0], [FRAC_PI_2, 0.0, -PI * pi2 / 8.0]),
         "half-harmonic-end" => plain([FRAC_PI_2, 0.0, -PI * pi2 / 8.0], [0.0, -pi2 / 4.0, 0.0]),
         "half-cycloidal-start" => plain([0.0, 0.0, pi2], [2.0, 0.0, -pi2]),
@@ -52,6 +59,12 @@ fn ends(segment: &Segment) -> Option<Ends> {
         "polynomial-5" | "polynomial-7" => None,
         other => panic!("no end derivatives of {other} to compare with: give them here"),
     }
+}
+
+/// Halves stretched by twice what they span: y″ and y‴ go with the first and the second power of it.
+fn skewed(start: [f64; 3], end: [f64; 3], crossover: f64, within: &'static [u8]) -> Ends {
+    let stretched = |[v, a, j]: [f64; 3], by: f64| [v, a / by, j / (by * by)];
+    (stretched(start, 2.0 * crossover), stretched(end, 2.0 - 2.0 * crossover), within)
 }
 
 /// Norton, *Cam Design and Manufacturing Handbook*, ch. 3: Cₐ = 4π²/((π² − 8)(b² − d²) − 2π(π − 2)b + π²).
@@ -236,7 +249,7 @@ fn a_segment_that_cannot_be_is_refused_at_its_place() {
     for (parameters, key) in
         [([f64::NAN, 0.5], "b"), ([-0.1, 0.5], "b"), ([1.1, 0.0], "b"), ([0.5, 0.6], "c"), ([0.5, f64::NAN], "c")]
     {
-        let problem = refused(2, &|segment| segment.parameters = parameters);
+        let problem = refused(2, &|segment| segment.parameters[..2].copy_from_slice(&parameters));
         assert!(matches!(problem, ProgramProblem::Parameter { key: named, .. } if named == key), "{problem:?}");
     }
     let many = vec![Segment::of("dwell", 360.0 / 65.0, 0.0).expect("dwell"); 65];

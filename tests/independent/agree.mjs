@@ -71,6 +71,22 @@ function conditions(u, beta, start, end) {
 }
 
 /**
+ * What a law takes besides β and L.
+ * @param {() => number} u
+ * @param {string} law
+ * @param {number} beta
+ */
+function parameters(u, law, beta) {
+  const b = u();
+  const c = (1 - b) * u();
+  const crossover = 0.1 + 0.8 * u();
+  if (law === "scca") return { b, c };
+  if (law === "skewed-scca") return { b, c, crossover };
+  if (law === "asymmetric-3-4-5") return { crossover };
+  return law === "parabolic-blend" ? { beta1: b * beta, beta3: c * beta } : {};
+}
+
+/**
  * A cycle of two to seven segments; half of them begin on whole degrees, where rows lie on joints.
  * @param {() => number} u
  * @param {number} lift
@@ -89,8 +105,7 @@ function segments(u, lift) {
     const beside = list.some(({ law }, i) => MATCHED_LAWS.includes(law) && (i === k - 1 || (last && i === 0)));
     if ((MATCHED_LAWS.includes(law) && beside) || (law === "dwell" && last && height !== 0)) law = "cycloidal";
     const target = last ? 0 : law === "dwell" ? height : Math.round(lift * u() * 1000) / 1000;
-    const b = u();
-    const own = law === "scca" ? { b, c: (1 - b) * u() } : law === "parabolic-blend" ? { beta1: b * beta, beta3: (1 - b) * beta * u() } : {};
+    const own = parameters(u, law, beta);
     if (law === "polynomial") list.push({ law, beta, conditions: conditions(u, beta, height, target) });
     else list.push({ law, beta, rise: target - height, ...own });
     [angle, height] = [angle + beta, target];

@@ -66,6 +66,20 @@ function sineConstantCosine(x, b, c) {
   return /** @type {State} */ (state.map((value) => peak * value));
 }
 
+/**
+ * A law that is its own reverse, its halves stretched so that they meet at `crossover` with the same velocity.
+ * @param {(x: number) => State} half
+ * @param {number} crossover
+ * @param {number} x
+ * @returns {State}
+ */
+const skewed = (half, crossover, x) => {
+  const first = x < crossover - ON_A_JOINT;
+  const twice = 2 * (first ? crossover : 1 - crossover);
+  const [y, v, a, j] = half((first ? x : 1 - x) / twice);
+  return first ? [twice * y, v, a / twice, j / twice ** 2] : [1 - twice * y, v, -a / twice, j / twice ** 2];
+};
+
 /** @type {Record<string, (x: number, segment: Segment) => State>} */
 const LAWS = {
   dwell: () => [0, 0, 0, 0],
@@ -99,6 +113,8 @@ const LAWS = {
   "modified-trapezoidal": (x) => antisymmetric((u) => sineConstantCosine(u, 1 / 4, 1 / 2), x),
   "modified-sine": (x) => antisymmetric((u) => sineConstantCosine(u, 1 / 4, 0), x),
   scca: (x, { b, c }) => antisymmetric((u) => sineConstantCosine(u, Number(b), Number(c)), x),
+  "skewed-scca": (x, { b, c, crossover }) => skewed((u) => sineConstantCosine(u, Number(b), Number(c)), Number(crossover), x),
+  "asymmetric-3-4-5": (x, { crossover }) => skewed(polynomial([0, 0, 0, 10, -15, 6]), Number(crossover), x),
   "half-harmonic-start": (x) => {
     const [half, angle] = [PI / 2, (PI / 2) * x];
     return [1 - cos(angle), half * sin(angle), half ** 2 * cos(angle), -(half ** 3) * sin(angle)];

@@ -52,8 +52,13 @@ fn fit(drafts: &[Draft], lift: f64) -> Vec<Segment> {
         };
         let mut segment = Segment::new(law, share / sum * TAU, target - height);
         segment.data = law.first_data(segment.beta, height, target - height);
-        if law.parameters.len() == 2 {
-            segment.parameters = [b, c * (1.0 - b)];
+        for (value, parameter) in segment.parameters.iter_mut().zip(law.parameters) {
+            *value = match parameter.key {
+                "b" | "beta1" => b,
+                "c" | "beta3" => c * (1.0 - b),
+                "crossover" => 0.1 + 0.8 * b,
+                _ => *value,
+            };
         }
         segments.push(segment);
         height = target;

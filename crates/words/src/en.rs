@@ -29,6 +29,8 @@ impl Voice for English {
             "modified-trapezoidal" => "modified trapezoidal",
             "modified-sine" => "modified sine",
             "scca" => "SCCA",
+            "skewed-scca" => "skewed SCCA",
+            "asymmetric-3-4-5" => "asymmetric 3-4-5",
             "half-harmonic-start" => "half harmonic (start)",
             "half-harmonic-end" => "half harmonic (end)",
             "half-cycloidal-start" => "half cycloidal (start)",

@@ -29,6 +29,8 @@ impl Voice for Spanish {
             "modified-trapezoidal" => "trapezoidal modificada",
             "modified-sine" => "de seno modificado",
             "scca" => "SCCA",
+            "skewed-scca" => "SCCA asimétrica",
+            "asymmetric-3-4-5" => "3-4-5 asimétrica",
             "half-harmonic-start" => "semiarmónica (inicio)",
             "half-harmonic-end" => "semiarmónica (final)",
             "half-cycloidal-start" => "semicicloidal (inicio)",

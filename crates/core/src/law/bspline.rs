@@ -117,7 +117,7 @@ mod tests {
 
     fn solved(degree: f64, beta: f64, conditions: &[(f64, u8, f64)]) -> Result<Solved, DataProblem> {
         let conditions = conditions.iter().map(|&(at, order, value)| Condition { at, order, value }).collect();
-        pieces(&Given { data: &Data::Conditions(conditions), beta, parameters: [degree, 0.0], ..Given::default() })
+        pieces(&Given { data: &Data::Conditions(conditions), beta, parameters: [degree, 0.0, 0.0], ..Given::default() })
     }
 
     fn at(solved: &Solved, x: f64) -> crate::Svaj {

@@ -29,7 +29,7 @@ mod tests {
     fn the_radius_of_curvature_is_constant_on_each_arc() {
         for beta in [0.2, 1.0, 3.0, 6.0] {
             let pieces =
-                LAW.unit(Arguments { parameters: [0.0; 2], falling: false, beta }).expect("any angle makes arcs");
+                LAW.unit(Arguments { parameters: [0.0; 3], falling: false, beta }).expect("any angle makes arcs");
             let of = |piece: &Piece, x: f64| {
                 let motion = piece.curve.at(x);
                 motion.s + motion.a / (beta * beta)

@@ -4,6 +4,7 @@
 //! to β and L, one-sided limits, extremes, formulas on paper) follows from that list. To add a law, write one file with
 //! a `pub const LAW: Law` and name it in [`LAWS`].
 
+mod asymmetric_3_4_5;
 mod bezier;
 mod bspline;
 mod circular_arc;
@@ -32,6 +33,8 @@ mod polynomial_5;
 mod polynomial_7;
 mod scca;
 mod simple_harmonic;
+mod skew;
+mod skewed_scca;
 mod table;
 
 pub use bezier::MAX_ORDINATES;
@@ -61,6 +64,8 @@ pub const LAWS: &[&Law] = &[
     &modified_trapezoidal::LAW,
     &modified_sine::LAW,
     &scca::LAW,
+    &skewed_scca::LAW,
+    &asymmetric_3_4_5::LAW,
     &half_harmonic_start::LAW,
     &half_harmonic_end::LAW,
     &half_cycloidal_start::LAW,
@@ -75,7 +80,7 @@ pub const LAWS: &[&Law] = &[
 ];
 
 /// Most parameters of its own that a law takes.
-pub const MAX_LAW_PARAMETERS: usize = 2;
+pub const MAX_LAW_PARAMETERS: usize = 3;
 
 /// A motion law.
 #[derive(Debug)]
@@ -364,7 +369,7 @@ mod tests {
             ("modified-trapezoidal", 0.25, 0.5),
             ("cycloidal", 0.5, 0.0),
         ] {
-            let member = scca.unit(Arguments { parameters: [b, c], falling: false, beta: 1.0 }).expect(id);
+            let member = scca.unit(Arguments { parameters: [b, c, 0.0], falling: false, beta: 1.0 }).expect(id);
             assert_eq!(member, rising(Law::by_id(id).expect(id)), "{id}");
         }
         let pieces = rising(Law::by_id("cycloidal").expect("cycloidal"));
@@ -379,9 +384,10 @@ mod tests {
     #[test]
     fn scca_refuses_fractions_that_do_not_fit() {
         let scca = Law::by_id("scca").expect("scca");
-        for parameters in [[-0.1, 0.5], [0.7, 0.5], [1.0, 0.0], [0.5, 0.6], [0.0, 1.2]] {
+        for [b, c] in [[-0.1, 0.5], [0.7, 0.5], [1.0, 0.0], [0.5, 0.6], [0.0, 1.2]] {
+            let parameters = [b, c, 0.0];
             let answer = scca.unit(Arguments { parameters, falling: false, beta: 1.0 });
-            if parameters == [1.0, 0.0] {
+            if [b, c] == [1.0, 0.0] {
                 assert!(answer.is_ok(), "b = 1 is two whole sine halves");
             } else {
                 assert!(answer.is_err(), "{parameters:?}");
@@ -393,7 +399,7 @@ mod tests {
     fn double_harmonic_returns_as_its_rise_reversed() {
         let law = Law::by_id("double-harmonic").expect("double-harmonic");
         let (rise, fall) =
-            (rising(law), law.unit(Arguments { parameters: [0.0; 2], falling: true, beta: 1.0 }).expect("fall"));
+            (rising(law), law.unit(Arguments { parameters: [0.0; 3], falling: true, beta: 1.0 }).expect("fall"));
         for i in 0..=20 {
             let x = f64::from(i) / 20.0;
             let reversed = 1.0 - rise[0].at(1.0 - x).s;

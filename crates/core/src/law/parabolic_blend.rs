@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-12;
 const NARROWEST_ZONE: f64 = 1e-9;
 
 fn pieces(arguments: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
-    let [first, last] = arguments.parameters;
+    let [first, last, _] = arguments.parameters;
     if !(0.0..=1.0).contains(&first) {
         return Err(ArgumentProblem { parameter: 0, min: 0.0, max: 1.0 });
     }
@@ -51,14 +51,14 @@ mod tests {
     use super::*;
 
     fn rising(first: f64, last: f64) -> Vec<Piece> {
-        pieces(Arguments { parameters: [first, last], falling: false, beta: 1.0 }).expect("a law")
+        pieces(Arguments { parameters: [first, last, 0.0], falling: false, beta: 1.0 }).expect("a law")
     }
 
     #[test]
     fn half_and_half_is_the_parabolic_law_and_nothing_is_constant_velocity() {
         for (parameters, id) in [([0.5, 0.5], "parabolic"), ([0.0, 0.0], "constant-velocity")] {
             let known = Law::by_id(id).expect(id);
-            let known = known.unit(Arguments { parameters: [0.0; 2], falling: false, beta: 1.0 }).expect(id);
+            let known = known.unit(Arguments { parameters: [0.0; 3], falling: false, beta: 1.0 }).expect(id);
             let found = rising(parameters[0], parameters[1]);
             assert_eq!(found.len(), known.len(), "{id}");
             for (found, known) in found.iter().zip(&known) {
@@ -83,8 +83,9 @@ mod tests {
 
     #[test]
     fn parabolas_that_do_not_fit_are_refused() {
-        let refused =
-            |first: f64, last: f64| pieces(Arguments { parameters: [first, last], falling: false, beta: 1.0 }).is_err();
+        let refused = |first: f64, last: f64| {
+            pieces(Arguments { parameters: [first, last, 0.0], falling: false, beta: 1.0 }).is_err()
+        };
         assert!(refused(-0.1, 0.2) && refused(0.6, 0.5) && refused(1.1, 0.0) && refused(f64::NAN, 0.1));
         assert!(!refused(1.0, 0.0) && !refused(0.7, 0.3));
     }

@@ -25,7 +25,7 @@ const NARROWEST_ZONE: f64 = 1e-9;
 const SAME_FORMULA: f64 = 1e-13;
 
 fn pieces(arguments: Arguments) -> Result<Vec<Piece>, ArgumentProblem> {
-    let [b, c] = arguments.parameters;
+    let [b, c, _] = arguments.parameters;
     if !(0.0..=1.0).contains(&b) {
         return Err(ArgumentProblem { parameter: 0, min: 0.0, max: 1.0 });
     }

@@ -30,6 +30,8 @@ pub const LAW_CODES: &[(&str, &str)] = &[
     ("modified-trapezoidal", "T"),
     ("modified-sine", "M"),
     ("scca", "X"),
+    ("skewed-scca", "Xs"),
+    ("asymmetric-3-4-5", "Qa"),
 ];
 
 /// Follower and code: a capital, as for laws.

@@ -78,7 +78,7 @@ fn a_design_too_long_for_a_link_says_so() {
     design.segments =
         (0..64).map(|k| segment("scca", 360.0 / 64.0, if k % 2 == 0 { 1.0 / 3.0 } else { -1.0 / 3.0 })).collect();
     for segment in &mut design.segments {
-        segment.parameters = [1.0 / 7.0, 1.0 / 3.0];
+        segment.parameters = [1.0 / 7.0, 1.0 / 3.0, 0.0];
     }
     let refusal = encode(&design).expect_err("too long");
     assert!(refusal.found > MAX_LINK_MADE && refusal.limit == MAX_LINK_MADE);

@@ -224,6 +224,39 @@ pub const LAWS: &[LawWords] = &[
         source: NORTON,
     },
     LawWords {
+        id: "skewed-scca",
+        idea: two(
+            "The SCCA family with its crossover, where the acceleration changes sign, moved from the middle to $x_c$: the first half is stretched to $x_c$ and the second to what is left. The peak velocity stays; the acceleration is multiplied by $1/(2x_c)$ and the deceleration by $1/(2(1 - x_c))$.",
+            "La familia SCCA con el cruce, donde la aceleración cambia de signo, movido del centro a $x_c$: la primera mitad se estira hasta $x_c$ y la segunda en lo que queda. La velocidad máxima no cambia; la aceleración se multiplica por $1/(2x_c)$ y la deceleración por $1/(2(1 - x_c))$.",
+        ),
+        use_it: two(
+            "When a spring must hold the follower on the cam: with $x_c < 1/2$ a rise has a short, hard acceleration, which the cam pushes, and a long, gentle deceleration, which is the spring's, so that a lighter spring is enough. The jerk jumps at the crossover.",
+            "Cuando un resorte debe mantener el seguidor sobre la leva: con $x_c < 1/2$ la subida tiene una aceleración corta y fuerte, que empuja la leva, y una deceleración larga y suave, que es cosa del resorte, y basta uno más blando. La sobreaceleración salta en el cruce.",
+        ),
+        formulas: &[
+            "y = 2x_c Y(x/(2x_c)), 0 ≤ x ≤ x_c",
+            "y = 1 - 2(1 - x_c)(1 - Y((1 + x - 2x_c)/(2(1 - x_c)))), x_c ≤ x ≤ 1",
+            "C_v = C_(v,SCCA), C_a = C_(a,SCCA)/(2x_c), C_a = C_(a,SCCA)/(2(1 - x_c))",
+        ],
+        source: "R. L. Norton, Cam Design and Manufacturing Handbook; H. A. Rothbart, Cam Design Handbook",
+    },
+    LawWords {
+        id: "asymmetric-3-4-5",
+        idea: two(
+            "The 3-4-5 with its crossover moved from the middle to $x_c$: each half is stretched to its own part of $β$. Peak velocity 15/8 wherever the crossover lies; peaks of acceleration $10/sqrt(3)$ times $1/(2x_c)$ and $1/(2(1 - x_c))$.",
+            "La 3-4-5 con el cruce movido del centro a $x_c$: cada mitad se estira en su parte de $β$. Velocidad máxima 15/8 esté donde esté el cruce; aceleraciones máximas $10/sqrt(3)$ por $1/(2x_c)$ y por $1/(2(1 - x_c))$.",
+        ),
+        use_it: two(
+            "As the skewed SCCA: to make the deceleration gentler than the acceleration, or the other way round, at moderate speeds. The jerk jumps at the ends and at the crossover.",
+            "Como la SCCA asimétrica: para que la deceleración sea más suave que la aceleración, o al revés, a velocidades moderadas. La sobreaceleración salta en los extremos y en el cruce.",
+        ),
+        formulas: &[
+            "y = 2x_c (10u^3 - 15u^4 + 6u^5), u = x/(2x_c), 0 ≤ x ≤ x_c",
+            "y = 1 - 2(1 - x_c)(10u^3 - 15u^4 + 6u^5), u = (1 - x)/(2(1 - x_c)), x_c ≤ x ≤ 1",
+        ],
+        source: "R. L. Norton, Cam Design and Manufacturing Handbook; H. A. Rothbart, Cam Design Handbook",
+    },
+    LawWords {
         id: "half-harmonic-start",
         idea: two(
             "The first half of a harmonic: from rest to full speed.",

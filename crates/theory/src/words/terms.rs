@@ -298,6 +298,17 @@ const PROGRAM: &[Term] = &[
         ..PLAIN
     },
     Term {
+        id: "crossover",
+        symbol: "x_c",
+        name: two("Crossover", "Cruce"),
+        text: two(
+            "Part of $β$ at which the acceleration of a skewed law changes sign and the velocity is greatest; ½ in a symmetrical one. The peaks on both sides are as $(1 - x_c)$ to $x_c$.",
+            "Parte de $β$ en la que la aceleración de una ley asimétrica cambia de signo y la velocidad es máxima; ½ en una simétrica. Los máximos a ambos lados son como $(1 - x_c)$ a $x_c$.",
+        ),
+        theory: "skewed-scca",
+        ..PLAIN
+    },
+    Term {
         id: "beta1",
         symbol: "β_1",
         name: two("Angle of the first parabola", "Ángulo de la primera parábola"),
