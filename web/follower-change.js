@@ -30,6 +30,8 @@ export function changeFollower(draft, entry) {
     if (value !== null) next[parameter.key] = value;
   }
   draft.follower = next;
+  // What an application is driven by is a length.
+  if (next.motion === "oscillating") delete draft.application;
   if (old.motion !== next.motion) convertRises(draft, next.motion === "oscillating" ? lever(next) : 1 / lever(old));
 }
 

@@ -24,6 +24,8 @@ const HALF = 180;
 export function changeKind(draft, kind, catalogue, ready) {
   if (draft.cam.kind === kind) return;
   delete draft.conjugate;
+  // Points to hit have their places on the other cam.
+  if (kind === "translating" || draft.cam.kind === "translating") delete draft.application?.targets;
   if (draft.cam.kind === "constant-breadth") unfold(draft, catalogue, ready);
   else if (draft.cam.kind === "translating") bend(draft);
   draft.cam.kind = "rotating";

@@ -107,8 +107,21 @@ export interface Design {
   follower: Follower;
   /** The second cam: tied by one of the three, with the radius of its own disc. */
   conjugate?: Partial<Record<TieKey | "roller_radius" | "face_radius", number>>;
+  /** What the follower drives. */
+  application?: ApplicationDesign;
   /** Empty when the motion is ready-made. */
   segments: Segment[];
+}
+
+/** Something attached to a follower that slides; its parameters by their keys. */
+export interface ApplicationDesign {
+  kind: string;
+  /** Which output the targets are of; the first when left out. */
+  output?: string;
+  by?: "theta" | "time";
+  /** Place and value of each. */
+  targets?: [number, number][];
+  [parameter: string]: string | number | [number, number][] | undefined;
 }
 
 export interface CamDesign {

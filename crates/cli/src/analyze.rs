@@ -2,9 +2,9 @@
 
 use crate::failure::Failure;
 use crate::input::Cams;
-use levalab_core::{Analysis, Cam};
+use levalab_core::{Analysis, Cam, Column};
 use levalab_format::report::{self, DesignFinding, Report, level_name};
-use levalab_format::{Design, DesignCure, Edit};
+use levalab_format::{ApplicationDesign, Design, DesignCure, Edit, Outcome, Target};
 use levalab_words::Language;
 use serde::{Serialize, Serializer};
 use std::fmt::Write;
@@ -17,6 +17,38 @@ struct Answer {
     /// The second cam of a pair.
     #[serde(skip_serializing_if = "Option::is_none")]
     conjugate: Option<Box<Answer>>,
+    /// What the follower drives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    application: Option<Applied>,
+}
+
+/// What comes of an application.
+#[derive(Serialize)]
+struct Applied {
+    kind: &'static str,
+    figures: InOrder<f64>,
+    outputs: InOrder<OutputRange>,
+    columns: InOrder<Vec<f64>>,
+    target_of: &'static str,
+    targets: Vec<Hit>,
+}
+
+#[derive(Serialize)]
+struct OutputRange {
+    unit: &'static str,
+    #[serde(flatten)]
+    range: report::Range,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    per_cycle: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct Hit {
+    theta: f64,
+    time: f64,
+    value: f64,
+    found: f64,
+    error: f64,
 }
 
 #[derive(Serialize)]
@@ -58,7 +90,8 @@ impl<T: Serialize> Serialize for InOrder<T> {
 /// Verdict, summary and columns; what is not finite is null.
 pub fn json(design: &Design, cams: &Cams, samples: usize, language: Language) -> Result<String, Failure> {
     let second = cams.second.as_ref().map(|cam| Box::new(answer(design, cam, samples, language)));
-    let answer = Answer { conjugate: second, ..answer(design, &cams.first, samples, language) };
+    let application = design.application.as_ref().map(|set| applied(design, &cams.first, set, samples));
+    let answer = Answer { conjugate: second, application, ..answer(design, &cams.first, samples, language) };
     serde_json::to_string(&answer).map(|text| text + "\n").map_err(|_| Failure::no_output(language))
 }
 
@@ -73,16 +106,21 @@ fn answer(design: &Design, cam: &Cam, samples: usize, language: Language) -> Ans
         findings: findings.collect(),
     };
     let columns = InOrder(report::columns(design, &analysis));
-    Answer { verdict, summary: InOrder(report.summary), columns, conjugate: None }
+    Answer { verdict, summary: InOrder(report.summary), columns, conjugate: None, application: None }
 }
 
-/// The columns, those of a second cam after those of the first; what is not finite is `inf` or `-inf`.
+/// The columns, those of a second cam after those of the first, and those of an application last; what is not finite is `inf` or `-inf`.
 pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
     let of = |cam: &Cam| report::columns(design, &Analysis::of(cam, samples));
     let mut columns: Vec<(String, Vec<f64>)> = named(of(&cams.first), "");
     if let Some(second) = &cams.second {
         // Both cams turn together: one θ serves.
         columns.extend(named(of(second), "conjugate_").into_iter().skip(1));
+    }
+    if let Some(set) = &design.application {
+        let analysis = Analysis::of(&cams.first, samples);
+        let outputs = set.application.outputs.iter();
+        columns.extend(outputs.map(|output| (output.id.to_owned(), set.column(design, &analysis, output))));
     }
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut text = names.join(",") + "\n";
@@ -95,6 +133,28 @@ pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
         text.push('\n');
     }
     text
+}
+
+fn applied(design: &Design, cam: &Cam, set: &ApplicationDesign, samples: usize) -> Applied {
+    let analysis = Analysis::of(cam, samples);
+    let Outcome { outputs, figures, targets } = set.outcome(design, cam, &analysis);
+    let omega = design.omega();
+    let theta = analysis.column(Column::Theta).unwrap_or_default();
+    let time = ("time", theta.iter().map(|theta| theta / omega).collect());
+    let values = set.application.outputs.iter().map(|output| (output.id, set.column(design, &analysis, output)));
+    let range = |found: levalab_format::OutputRange| {
+        let unit = design.length_unit.unit_of(found.output.magnitude);
+        (found.output.id, OutputRange { unit, range: found.range, per_cycle: found.per_cycle })
+    };
+    let hit = |Target { theta, time, value, found, error }| Hit { theta, time, value, found, error };
+    Applied {
+        kind: set.application.id,
+        figures: InOrder(figures.into_iter().map(|(figure, value)| (figure.id, value)).collect()),
+        columns: InOrder([time].into_iter().chain(values).collect()),
+        outputs: InOrder(outputs.into_iter().map(range).collect()),
+        target_of: set.main().id,
+        targets: targets.into_iter().map(hit).collect(),
+    }
 }
 
 fn named(columns: Vec<(&str, Vec<f64>)>, prefix: &str) -> Vec<(String, Vec<f64>)> {

@@ -43,10 +43,20 @@ fn code_of(level: Level) -> u8 {
 fn judge(file: &str, language: Language) -> Result<(Level, String), Failure> {
     let (design, cams) = input::design_and_cams(file, language)?;
     let (level, text) = verdict(&design, &cams.first, language);
-    Ok(match cams.second.map(|second| verdict(&design, &second, language)) {
+    let (level, text) = match cams.second.map(|second| verdict(&design, &second, language)) {
         Some((second, more)) => (level.max(second), format!("{text}{}: {more}", levalab_words::second_cam(language))),
         None => (level, text),
-    })
+    };
+    Ok((level, text + &application(&design, &cams.first, language)))
+}
+
+/// What comes of the application, when there is one. It is no part of the verdict.
+fn application(design: &Design, cam: &Cam, language: Language) -> String {
+    let Some(set) = &design.application else { return String::new() };
+    let outcome = set.outcome(design, cam, &Analysis::of(cam, 1));
+    let head = levalab_words::application_title(language, set.application.id);
+    let sentences = levalab_words::outcome(language, design, &outcome);
+    sentences.iter().fold(format!("{head}:\n"), |text, sentence| text + &format!("  {sentence}\n"))
 }
 
 /// The headline, then each finding with its cures.

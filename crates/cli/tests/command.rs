@@ -100,6 +100,37 @@ fn an_analysis_has_the_shape_of_the_contract() {
 }
 
 #[test]
+fn an_application_has_its_columns_extremes_and_errors() {
+    let answer = analysis(&[&file_of("R6"), "--samples", "360", "--json"]);
+    let application = &answer["application"];
+    assert_eq!((&application["kind"], &application["target_of"]), (&"piston-force".into(), &"force".into()));
+    let force = &application["outputs"]["force"];
+    assert_eq!(force["unit"], "lbf");
+    let number = |value: &Value| value.as_f64().expect("a number");
+    assert!((number(&force["max"]) - 126.16).abs() < 5e-3 && (number(&force["max_at"]) - 74.39).abs() < 5e-3);
+    assert!((number(&application["figures"]["stiffness"]) - 93.684).abs() < 5e-4);
+    let columns = &application["columns"];
+    for name in ["time", "force", "pressure"] {
+        assert_eq!(columns[name].as_array().expect(name).len(), 361);
+    }
+    let (s, force) = (number(&answer["columns"]["s"][57]), number(&columns["force"][57]));
+    assert!((force / s - 93.684).abs() < 5e-4);
+    assert!((number(&columns["time"][180]) - std::f64::consts::PI / 12.566).abs() < 1e-12);
+    let targets = application["targets"].as_array().expect("targets");
+    assert_eq!((targets.len(), &targets[1]["value"]), (5, &110.27.into()));
+    assert!((number(&targets[1]["found"]) - number(&targets[1]["value"]) - number(&targets[1]["error"])).abs() < 1e-12);
+    assert!(analysis(&[&file_of("9RT"), "--samples", "4"]).get("application").is_none());
+
+    let csv = text(&levalab(&["analyze", &file_of("R6"), "--csv", "--samples", "4"]).stdout);
+    assert!(csv.lines().next().is_some_and(|names| names.ends_with(",force,pressure")), "{csv}");
+    let check = levalab(&["check", &file_of("R6"), "--lang", "es"]);
+    let said = text(&check.stdout);
+    assert!(said.contains("Fuerza de un pistón sobre fluido encerrado:\n  Fuerza de "), "{said}");
+    assert_eq!(said.matches("; error ").count(), 5, "{said}");
+    assert_eq!(check.status.code(), Some(1), "it is no part of the verdict");
+}
+
+#[test]
 fn columns_that_do_not_apply_are_absent() {
     let flat = analysis(&[&file_of("10EX"), "--samples", "4"]);
     assert!(flat["columns"]["contact"].is_array() && flat["columns"].get("pitch_x").is_none());

@@ -27,6 +27,7 @@
 //! Not here: files, links, words, drawings. Elastic followers, clearances and the thickness of arms are left out.
 
 mod analysis;
+pub mod application;
 mod breadth;
 mod cam;
 mod conjugate;

@@ -19,6 +19,7 @@
 //!
 //! Not here: files on disk, the printed report, G-code.
 
+mod application_sheet;
 mod cam_drawing;
 mod csv;
 mod curves;

@@ -1,5 +1,6 @@
 //! Tables as rows of cells, whatever the file they end in.
 
+use crate::application_sheet::{application, columns};
 use crate::table::{Measure, Table};
 use crate::verdict_sheet::verdict;
 use crate::words::{Word, field, law_alone};
@@ -78,6 +79,7 @@ pub(crate) fn sheet(subject: &Subject, table: Table, step: Step) -> Option<Sheet
     let rows = match table {
         Table::Design => design(subject),
         Table::Verdict => verdict(subject),
+        Table::Application => application(subject, step)?,
         _ => by_angle(subject, table, step)?,
     };
     Some(Sheet { name, rows })
@@ -91,39 +93,47 @@ fn name(table: Table) -> Word {
         Table::Cartesian => Word::Cartesian,
         Table::Pitch => Word::PitchCurve,
         Table::Verdict => Word::Verdict,
+        Table::Application => Word::Application,
     }
 }
 
 /// A row for each angle, the last repeating the first.
-fn by_angle(subject: &Subject, table: Table, step: Step) -> Option<Vec<Row>> {
+fn by_angle(subject: &Subject, which: Table, step: Step) -> Option<Vec<Row>> {
     // A cam that travels has no centre.
-    if table == Table::Polar && subject.travels() {
+    if which == Table::Polar && subject.travels() {
         return None;
     }
-    let mut columns: Vec<(String, Vec<f64>)> = Vec::new();
+    let mut table: Vec<(String, Vec<f64>)> = Vec::new();
     for (k, cam) in subject.cams().enumerate() {
         let analysis = Analysis::of(cam, step.count());
         // Both cams turn together: one θ serves.
         let shared = |measure: Measure| k > 0 && matches!(measure, Measure::Theta | Measure::Time);
-        for &measure in table.measures().iter().filter(|measure| !shared(**measure)) {
+        for &measure in which.measures().iter().filter(|measure| !shared(**measure)) {
             let Some(values) = measure.values(subject, &analysis) else { continue };
             let head = measure.head(subject);
             let head = if k == 0 { head } else { format!("{}: {head}", levalab_words::second_cam(subject.language)) };
-            columns.push((head, tidy(measure, values)));
+            table.push((head, tidy(measure, values)));
+        }
+        if let Some(set) = subject.design.application.as_ref().filter(|_| k == 0 && which == Table::Everything) {
+            table.extend(columns(subject, set, &analysis));
         }
     }
     // θ and what is beside it whatever the table, are no table.
-    let rows = columns.first().filter(|_| columns.len() > 1)?.1.len();
-    let head = Row::head(columns.iter().map(|(head, _)| head.clone()));
-    let row = |k: usize| Row::of(columns.iter().map(|(_, values)| values[k].into()));
+    let rows = table.first().filter(|_| table.len() > 1)?.1.len();
+    let head = Row::head(table.iter().map(|(head, _)| head.clone()));
+    let row = |k: usize| Row::of(table.iter().map(|(_, values)| values[k].into()));
     Some([head].into_iter().chain((0..rows).map(row)).collect())
 }
 
 /// Values without the digits that only rounding makes: twelve count, and what is nothing beside the rest of its column is zero.
 /// A radius of curvature has no such scale, since it may be endless.
-fn tidy(measure: Measure, mut values: Vec<f64>) -> Vec<f64> {
+fn tidy(measure: Measure, values: Vec<f64>) -> Vec<f64> {
+    tidied(values, matches!(measure, Measure::Rho | Measure::RhoPitch))
+}
+
+/// The same for a column that may be `endless`, or not.
+pub(crate) fn tidied(mut values: Vec<f64>, endless: bool) -> Vec<f64> {
     const NOTHING: f64 = 1e-13;
-    let endless = matches!(measure, Measure::Rho | Measure::RhoPitch);
     let greatest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     for value in &mut values {
         let nothing = !endless && value.abs() <= NOTHING * greatest;

@@ -22,16 +22,26 @@ pub enum Table {
     Pitch,
     /// The verdict with its findings, and the extremes.
     Verdict,
+    /// What the follower drives, and the points to hit.
+    Application,
 }
 
 impl Table {
     /// Every table, in the order of a menu.
-    pub const ALL: [Self; 7] =
-        [Self::Everything, Self::Design, Self::Motion, Self::Polar, Self::Cartesian, Self::Pitch, Self::Verdict];
+    pub const ALL: [Self; 8] = [
+        Self::Everything,
+        Self::Design,
+        Self::Motion,
+        Self::Polar,
+        Self::Cartesian,
+        Self::Pitch,
+        Self::Verdict,
+        Self::Application,
+    ];
 
     /// The sheets of a workbook: nothing is in it twice.
-    pub(crate) const SHEETS: [Self; 6] =
-        [Self::Design, Self::Motion, Self::Polar, Self::Cartesian, Self::Pitch, Self::Verdict];
+    pub(crate) const SHEETS: [Self; 7] =
+        [Self::Design, Self::Motion, Self::Polar, Self::Cartesian, Self::Pitch, Self::Verdict, Self::Application];
 
     /// Its name in options.
     #[must_use]
@@ -44,6 +54,7 @@ impl Table {
             Self::Cartesian => "cartesian",
             Self::Pitch => "pitch-curve",
             Self::Verdict => "verdict",
+            Self::Application => "application",
         }
     }
 
@@ -74,7 +85,7 @@ impl Table {
             Self::Polar => &[M::Theta, M::Angle, M::Radius, M::Rho, M::OuterAngle, M::OuterRadius],
             Self::Cartesian => &[M::Theta, M::X, M::Y, M::OuterX, M::OuterY],
             Self::Pitch => &[M::Theta, M::PitchX, M::PitchY, M::PitchAngle, M::PitchRadius, M::RhoPitch],
-            Self::Design | Self::Verdict => &[],
+            Self::Design | Self::Verdict | Self::Application => &[],
         }
     }
 }

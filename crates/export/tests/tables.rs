@@ -97,6 +97,35 @@ fn numbers_in_the_workbook_are_those_of_the_analysis() {
 }
 
 #[test]
+fn an_application_has_a_sheet_with_its_targets_and_its_rows() {
+    let design = example("R6").expect("R6");
+    let sheets = sheets(&design, Language::En, Step::of_degrees(10.0).expect("it divides the turn"));
+    let (name, sheet) = sheets.last().expect("a sheet");
+    assert_eq!(name, "Application");
+    let row_of = |text: &str| -> Vec<Data> {
+        let found = sheet.rows().find(|row| matches!(&row[0], Data::String(cell) if cell == text));
+        found.unwrap_or_else(|| panic!("{text} in {sheet:?}")).to_vec()
+    };
+    let number = |cell: &Data| if let Data::Float(value) = cell { *value } else { panic!("{cell:?} is no number") };
+    assert!((number(&row_of("Stiffness K")[1]) - 93.684).abs() < 5e-4);
+    assert_eq!(row_of("Stiffness K")[2], Data::String("lbf/in".to_owned()));
+    assert!((number(&row_of("Force F (lbf)")[3]) - 126.16).abs() < 5e-3);
+    let hit = sheet.rows().find(|row| row[0] == Data::Float(56.88)).expect("a target");
+    assert!((number(&hit[3]) - number(&hit[2]) - number(&hit[4])).abs() < 1e-11 && number(&hit[4]).abs() < 0.005);
+    let last: Vec<f64> = sheet.rows().next_back().expect("rows")[..4].iter().map(number).collect();
+    assert!(last[0] == 360.0 && (last[1] * 12.566).to_degrees() - 360.0 < 1e-9 && last[2] == 0.0, "{last:?}");
+    // Everything in one table has the outputs too, and a design without an application lacks the sheet.
+    let of = |table| {
+        with_subject(&design, Language::Es, |subject| csv(subject, table, Step::OF_TABLES, Separator::Semicolon))
+    };
+    assert!(
+        of(Table::Everything).lines().next().is_some_and(|heads| heads.ends_with("Fuerza F (lbf);Presión p (psi)"))
+    );
+    assert!(!of(Table::Motion).contains("Fuerza"));
+    assert!(of(Table::Application).starts_with("\u{feff}Fuerza de un pistón sobre fluido encerrado\r\n"));
+}
+
+#[test]
 fn text_in_the_workbook_never_becomes_a_formula() {
     let mut design = example("9RT").expect("9RT");
     design.title = "=1+1".to_owned();
@@ -166,6 +195,7 @@ fn every_table_has_rows_or_does_not_apply() {
             let applies = match table {
                 Table::Pitch => design.cam().is_ok_and(|cam| !cam.follower.is_flat()),
                 Table::Polar => design.kind.travel().is_none(),
+                Table::Application => design.application.is_some(),
                 _ => true,
             };
             assert_eq!(text.lines().count() > 1, applies, "{name} {}", table.name());

@@ -39,6 +39,7 @@ impl Design {
         let follower = follower.map_err(|error| geometry_error(self.follower.parameters, error))?;
         let cam = Cam::new(program, follower).closed_by(self.kind.closure());
         self.second(&cam)?;
+        self.check_application()?;
         Ok(cam)
     }
 

@@ -39,7 +39,7 @@ pub(crate) fn read(segment: &Object, law: &Law) -> Result<Data, DesignError> {
             Ok(Data::Conditions(each.collect::<Result<_, _>>()?))
         }
         DataKind::Points => {
-            let each = field.items(MAX_POINTS)?.map(|item| read_point(&item));
+            let each = field.items(MAX_POINTS)?.map(|item| item.pair());
             Ok(Data::Points(each.collect::<Result<_, _>>()?))
         }
         DataKind::Ordinates => {
@@ -60,16 +60,6 @@ fn read_condition(item: &Field) -> Result<Condition, DesignError> {
     }
     let (at, value) = (condition.required("at")?.number()?, condition.required("value")?.number()?);
     Ok(Condition { at, order: found as u8, value })
-}
-
-/// A pair of numbers: where, and s there.
-fn read_point(item: &Field) -> Result<[f64; 2], DesignError> {
-    let numbers: Vec<f64> = item.items(2)?.map(|number| number.number()).collect::<Result<_, _>>()?;
-    let [at, s] = numbers[..] else {
-        let problem = DataRefusal::WrongCount { found: numbers.len(), min: 2, max: 2 }.into();
-        return Err(DesignError { path: item.path.clone(), problem });
-    };
-    Ok([at, s])
 }
 
 /// True when the curve of a segment depends on a rise that is told, as that of a formula that names L.
@@ -189,12 +179,22 @@ pub(crate) fn refusal(here: &Path, segment: &SegmentDesign, problem: DataProblem
 
 impl Field<'_> {
     /// The items of a list, no more than may be.
-    fn items(&self, limit: usize) -> Result<impl Iterator<Item = Field<'_>>, DesignError> {
+    pub fn items(&self, limit: usize) -> Result<impl Iterator<Item = Field<'_>>, DesignError> {
         let Value::Array(items) = self.value else { return Err(self.wrong_kind(Kind::List)) };
         if items.len() > limit {
             let problem = DataRefusal::WrongCount { found: items.len(), min: 1, max: limit }.into();
             return Err(DesignError { path: self.path.clone(), problem });
         }
         Ok(items.iter().enumerate().map(|(k, value)| Field { path: self.path.join(k), value }))
+    }
+
+    /// A list of two numbers: where, and how much there.
+    pub fn pair(&self) -> Result<[f64; 2], DesignError> {
+        let numbers: Vec<f64> = self.items(2)?.map(|number| number.number()).collect::<Result<_, _>>()?;
+        let [at, value] = numbers[..] else {
+            let problem = DataRefusal::WrongCount { found: numbers.len(), min: 2, max: 2 }.into();
+            return Err(DesignError { path: self.path.clone(), problem });
+        };
+        Ok([at, value])
     }
 }

@@ -1,6 +1,6 @@
 //! A design: what a file or a link holds, in the units that people use.
 
-use crate::{CamKind, Conjugate, LengthUnit, SpeedUnit};
+use crate::{ApplicationDesign, CamKind, Conjugate, LengthUnit, SpeedUnit};
 use levalab_core::law::{Data, MAX_LAW_PARAMETERS};
 use levalab_core::{FollowerKind, FollowerValues, Law, Motion, Parameter, Quantity, Rotation};
 
@@ -30,6 +30,8 @@ pub struct Design {
     pub segments: Vec<SegmentDesign>,
     /// The second cam of a conjugate pair.
     pub conjugate: Option<Conjugate>,
+    /// What the follower drives.
+    pub application: Option<ApplicationDesign>,
 }
 
 /// The speed of a cam in the unit it was given in.
@@ -82,6 +84,7 @@ impl PartialEq for Design {
             && self.values == other.values
             && self.segments == other.segments
             && self.conjugate == other.conjugate
+            && self.application == other.application
     }
 }
 

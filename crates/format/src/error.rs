@@ -245,6 +245,8 @@ pub enum Problem {
         /// Half the breadth, which it must stay below.
         half: f64,
     },
+    /// An application on a follower that swings: its displacement is an angle.
+    SwingingApplication,
     /// A second cam that has no room at that distance.
     TooClose {
         /// The distance.

@@ -20,6 +20,7 @@
 //!
 //! Not here: words for people, files on disk.
 
+mod application;
 mod check;
 mod compare;
 mod cure;
@@ -41,6 +42,7 @@ pub mod testing;
 mod units;
 mod write;
 
+pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy};
 pub use compare::{Contender, Figures, by_law, tournament};
 pub use cure::{DesignCure, Edit, Remedy, apply, cures};
 pub use data::{data_key, entry as data_entry};

@@ -42,6 +42,21 @@ pub const ANGLE: RangeInclusive<f64> = -360.0..=360.0;
 /// Speed in any of its units: above a turn in a few hundred years, below what holds together.
 pub const SPEED: RangeInclusive<f64> = 1e-9..=1e9;
 
+/// Most points to hit in an application: a sheet of measurements, and still a link that travels.
+pub const MAX_TARGETS: usize = 64;
+
+/// Stiffnesses and pressures of an application, in any unit.
+pub const PROPERTY: RangeInclusive<f64> = 1e-12..=1e12;
+
+/// Values that an application is to hit.
+pub const OUTPUT: RangeInclusive<f64> = -1e12..=1e12;
+
+/// Seconds at which an application is to hit a value: as far as the slowest cam turns.
+pub const TIME: RangeInclusive<f64> = 0.0..=1e9;
+
+/// The angle of a valve's seat, degrees: flat, and below where the head would wedge itself in.
+pub const SEAT_ANGLE: RangeInclusive<f64> = 0.0..=75.0;
+
 /// How far the β's may miss 360°, and the rises the starting height, in degrees or in the unit of the design.
 pub const SUM_TOLERANCE: f64 = 1e-9;
 

@@ -1,5 +1,6 @@
 //! A design from JSON: every field known, every kind right, nothing left to guess.
 
+use crate::application;
 use crate::data;
 use crate::design::{default_of, motion_and_contact};
 use crate::limits::MAX_SEGMENTS;
@@ -53,7 +54,8 @@ impl Design {
 }
 
 /// The fields of a design; the last of them has no place beside a ready-made motion.
-const FIELDS: [&str; 8] = ["format", "title", "length_unit", "speed", "cam", "follower", "conjugate", "segments"];
+const FIELDS: [&str; 9] =
+    ["format", "title", "length_unit", "speed", "cam", "follower", "conjugate", "application", "segments"];
 
 fn read(value: &Value) -> Result<Design, DesignError> {
     let file = Object::any(value, Path::default())?;
@@ -88,9 +90,13 @@ fn read(value: &Value) -> Result<Design, DesignError> {
         values,
         segments: if ready { Vec::new() } else { read_segments(&file)? },
         conjugate: None,
+        application: None,
     };
     if file.fields.contains_key("conjugate") {
         design.conjugate = Some(read_conjugate(&file.object("conjugate")?, &design)?);
+    }
+    if file.fields.contains_key("application") {
+        design.application = Some(application::read(&file.object("application")?)?);
     }
     Ok(design)
 }
@@ -244,7 +250,7 @@ impl<'a> Object<'a> {
         }
     }
 
-    fn optional(&self, key: &str) -> Option<Field<'a>> {
+    pub fn optional(&self, key: &str) -> Option<Field<'a>> {
         self.fields.get(key).map(|value| Field { path: self.path.join(key), value })
     }
 
@@ -258,7 +264,7 @@ impl<'a> Object<'a> {
     }
 
     /// Which of the choices a field names.
-    fn word(&self, key: &str, choices: &[&'static str]) -> Result<usize, DesignError> {
+    pub fn word(&self, key: &str, choices: &[&'static str]) -> Result<usize, DesignError> {
         let field = self.required(key)?;
         let found = field.text()?;
         choices.iter().position(|&choice| choice == found).ok_or_else(|| DesignError {

@@ -3,7 +3,11 @@
 use crate::data;
 use crate::design::default_of;
 use crate::limits::MAX_SEGMENTS;
-use crate::{BreadthGenerator, CamKind, Conjugate, Design, LengthUnit, SegmentDesign, Speed, SpeedUnit};
+use crate::{
+    ApplicationDesign, BreadthGenerator, CamKind, Conjugate, Design, LengthUnit, SegmentDesign, Speed, SpeedUnit,
+    TargetsBy,
+};
+use levalab_core::application::{APPLICATIONS, MAX_APPLICATION_PARAMETERS};
 use levalab_core::law::{Condition, Data, DataKind, MAX_LAW_PARAMETERS};
 use levalab_core::{FOLLOWERS, Generator, LAWS, Law, Quantity, Rotation, Tie};
 
@@ -116,6 +120,7 @@ fn candidate(random: &mut Random) -> Design {
         values,
         segments,
         conjugate: random.once_in(5).then(|| second(random, decimals, size, oscillating)),
+        application: (!oscillating && random.once_in(4)).then(|| application(random, decimals, kind)),
     }
 }
 
@@ -144,6 +149,23 @@ fn second(random: &mut Random, decimals: Decimals, size: f64, oscillating: bool)
         (true, true) => Tie::BaseRadius(decimals.round(size * random.between(0.5, 1.5))),
     };
     Conjugate { tie, radius: random.once_in(3).then(|| decimals.round(size * random.between(0.1, 0.5))) }
+}
+
+fn application(random: &mut Random, decimals: Decimals, kind: CamKind) -> ApplicationDesign {
+    let application = *random.pick(APPLICATIONS);
+    let mut values = [0.0; MAX_APPLICATION_PARAMETERS];
+    for (value, setting) in values.iter_mut().zip(application.parameters) {
+        let default = crate::application::default_of(setting).filter(|_| random.once_in(2));
+        *value = default.unwrap_or_else(|| decimals.round(random.between(1.0, 70.0)));
+    }
+    let by = if random.once_in(3) { TargetsBy::Time } else { TargetsBy::Theta };
+    let most = if by == TargetsBy::Time { 20.0 } else { kind.travel().unwrap_or(360.0) };
+    let count = random.below(4) * random.below(7);
+    let place = |random: &mut Random| decimals.round(most * random.between(0.0, 0.9));
+    let height = |random: &mut Random| if random.once_in(3) { 0.0 } else { decimals.round(random.between(-9.0, 99.0)) };
+    let targets = (0..count).map(|_| [place(random), height(random)]).collect();
+    let output = random.below(application.outputs.len());
+    ApplicationDesign { application, values, output, by, targets }
 }
 
 fn speed(random: &mut Random, decimals: Decimals, travels: bool) -> Speed {

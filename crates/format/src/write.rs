@@ -1,5 +1,6 @@
 //! A design as JSON: one order of fields, one line a segment.
 
+use crate::application;
 use crate::data;
 use crate::design::motion_and_contact;
 use crate::{BreadthGenerator, CamKind, Conjugate, Design, SegmentDesign};
@@ -52,6 +53,9 @@ impl Serialize for Design {
             let radius = Conjugate::radius_key(self).zip(pair.radius).map(|(key, radius)| (key, number(radius)));
             let tie = (pair.tie.key(), number(pair.tie.value()));
             file.serialize_entry("conjugate", &Entries(std::iter::once(tie).chain(radius).collect()))?;
+        }
+        if let Some(application) = &self.application {
+            file.serialize_entry("application", &Entries(application::entries(application)))?;
         }
         if self.kind.generator().is_none() {
             file.serialize_entry("segments", &segments)?;

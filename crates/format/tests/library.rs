@@ -105,6 +105,69 @@ fn the_oscillating_roller_has_no_conjugate_at_any_angle() {
 }
 
 #[test]
+fn the_gait_simulator_hits_the_forces_that_it_was_measured_with() {
+    let (design, cam) = cam("R6");
+    let analysis = Analysis::of(&cam, 360);
+    let application = design.application.as_ref().expect("a piston");
+    let outcome = application.outcome(&design, &cam, &analysis);
+    let (figure, stiffness) = outcome.figures[1];
+    assert_eq!((figure.id, design.length_unit.unit_of(figure.magnitude)), ("stiffness", "lbf/in"));
+    assert!((stiffness - 93.684).abs() < 5e-4, "{stiffness}");
+    let force = outcome.outputs[0];
+    assert_eq!((force.output.id, design.length_unit.unit_of(force.output.magnitude)), ("force", "lbf"));
+    assert!((force.range.max - 126.16).abs() < 5e-3 && (force.range.max_at - 74.39).abs() < 5e-3, "{force:?}");
+    let places: Vec<f64> = outcome.targets.iter().map(|target| target.theta).collect();
+    assert_eq!(places, [0.0, 56.88, 123.84, 198.72, 256.32]);
+    for (target, lift) in outcome.targets.iter().zip([0.0, 1.177, 0.847, 1.139, 0.0]) {
+        assert!((target.found - stiffness * lift).abs() < 1e-9, "{target:?}");
+        assert!(target.error.abs() <= 0.005, "as told to a hundredth: {target:?}");
+        assert!((target.time * 12.566 - target.theta.to_radians()).abs() < 1e-9);
+    }
+    let column = application.column(&design, &analysis, force.output);
+    assert!(column.len() == 361 && column[300].abs() < 1e-9 && column[57] > 100.0);
+    // A pump on the same cam delivers both of its rises, which turn within one segment.
+    let mut pump = design.clone();
+    let lifts = cam.program.at(198.72_f64.to_radians()).s;
+    assert!((lifts - 1.139).abs() < 1e-9);
+    let kind = levalab_core::application::Application::by_id("pump").expect("pump");
+    let set = levalab_format::ApplicationDesign {
+        application: kind,
+        values: [1.0, 0.0],
+        targets: vec![],
+        ..application.clone()
+    };
+    pump.application = Some(set.clone());
+    assert!(pump.cam().is_ok());
+    let volume = set.outcome(&pump, &cam, &analysis).outputs[0];
+    // Tops and hollow of s by search among a million rows.
+    let rows: Vec<f64> = (0..1_000_000).map(|k| cam.program.at(f64::from(k) / 1e6 * std::f64::consts::TAU).s).collect();
+    let risen: f64 = rows.windows(2).map(|pair| (pair[1] - pair[0]).max(0.0)).sum();
+    let delivered = volume.per_cycle.expect("strokes") / std::f64::consts::PI;
+    assert!((delivered - risen).abs() < 1e-9 && delivered > 1.5, "{delivered} {risen}");
+}
+
+#[test]
+fn targets_by_time_go_on_from_turn_to_turn_and_come_back_on_a_wedge() {
+    let (mut design, cam) = cam("R6");
+    let mut application = design.application.clone().expect("a piston");
+    let turn = std::f64::consts::TAU / design.omega();
+    application.by = levalab_format::TargetsBy::Time;
+    application.targets = vec![[0.05, 0.0], [0.05 + turn, 0.0]];
+    design.application = Some(application.clone());
+    let analysis = Analysis::of(&cam, 360);
+    let found = application.outcome(&design, &cam, &analysis).targets;
+    assert!((found[0].found - found[1].found).abs() < 1e-9 && found[0].found > 1.0, "{found:?}");
+    assert_eq!(found[1].time, 0.05 + turn);
+
+    let (mut wedge, cam) = self::cam("WEDGE");
+    let whole = wedge.kind.travel().expect("a travel");
+    application.targets = vec![[0.25 * whole / wedge.omega(), 0.0], [1.75 * whole / wedge.omega(), 0.0]];
+    wedge.application = Some(application.clone());
+    let found = application.outcome(&wedge, &cam, &Analysis::of(&cam, 360)).targets;
+    assert!((found[0].theta - found[1].theta).abs() < 1e-9 * whole && found[0].found == found[1].found, "{found:?}");
+}
+
+#[test]
 fn figures_of_solved_problems_are_those_of_the_notes() {
     let near = |found: f64, told: f64, last_digit: f64| {
         assert!((found - told).abs() <= 0.5 * last_digit * (1.0 + 1e-9), "{found}, told as {told}");

@@ -356,6 +356,10 @@ impl Voice for English {
                 let (found, least) = (EN.exact(*found), EN.number(*least));
                 format!("At a distance of {found} there is no room for a second cam: it must be more than {least}.")
             }
+            Problem::SwingingApplication => {
+                "The displacement of a follower that swings is an angle, and an application is driven by a follower that slides."
+                    .to_owned()
+            }
             Problem::OneOf { expected } => format!("Only one of {} can be given.", row_of(expected)),
             Problem::FaceOutOfReach { pivot_distance, needed } => {
                 let (m, needed) = (EN.exact(*pivot_distance), EN.exact(*needed));

@@ -365,6 +365,10 @@ impl Voice for Spanish {
                     "A una distancia de {found} no hay sitio para una segunda leva: tiene que ser mayor que {least}."
                 )
             }
+            Problem::SwingingApplication => {
+                "El desplazamiento de un seguidor oscilante es un ángulo, y una aplicación la mueve un seguidor de traslación."
+                    .to_owned()
+            }
             Problem::OneOf { expected } => format!("Solo se puede dar uno de estos campos: {}.", row_of(expected)),
             Problem::FaceOutOfReach { pivot_distance, needed } => {
                 let (m, needed) = (ES.exact(*pivot_distance), ES.exact(*needed));

@@ -18,6 +18,7 @@
 //!
 //! Not here: the labels of the page's own buttons and fields.
 
+mod application;
 mod data_en;
 mod data_es;
 mod en;
@@ -26,6 +27,7 @@ mod numbers;
 mod units;
 mod voice;
 
+pub use application::{application_head, application_name, application_title, outcome};
 pub use voice::FileProblem;
 
 use levalab_core::{FollowerKind, Law, Level};

@@ -100,6 +100,7 @@ fn problems() -> Vec<Problem> {
         Problem::Sides { found: 4.0, most: 31.0 },
         Problem::SharpArcs { found: 10.0, least: 42.26, half: 50.0 },
         Problem::TooClose { found: 70.0, least: 74.0 },
+        Problem::SwingingApplication,
         Problem::OneOf { expected: vec!["angle", "base_radius"] },
         Problem::Closing { found: 0.1, measure },
         Problem::BelowBase { found: -0.1, measure },

@@ -1,6 +1,7 @@
 //! The letters that stand for laws, followers and units in a link. Once published, a letter is never given to another.
 
 use crate::{LengthUnit, SpeedUnit};
+use levalab_core::application::Application;
 use levalab_core::{FOLLOWERS, FollowerKind, LAWS, Law, Tie};
 
 /// Law and code: a capital, and small letters where several laws are of one family.
@@ -44,6 +45,9 @@ pub const FOLLOWER_CODES: &[(&str, &str)] = &[
     ("oscillating-flat", "O"),
 ];
 
+/// Application and code: a small letter.
+pub const APPLICATION_CODES: &[(&str, &str)] = &[("force", "k"), ("piston-force", "p"), ("pump", "u"), ("valve", "v")];
+
 const LENGTH_UNIT_CODES: [(LengthUnit, &str); 3] =
     [(LengthUnit::Centimetre, "c"), (LengthUnit::Metre, "m"), (LengthUnit::Inch, "i")];
 
@@ -56,6 +60,10 @@ pub(super) fn of_law(law: &Law) -> &'static str {
 
 pub(super) fn of_follower(kind: &FollowerKind) -> &'static str {
     code_of(FOLLOWER_CODES, kind.id)
+}
+
+pub(super) fn of_application(application: &Application) -> &'static str {
+    code_of(APPLICATION_CODES, application.id)
 }
 
 /// Empty for millimetres.
@@ -95,6 +103,11 @@ pub(super) fn follower(code: &str) -> Option<&'static FollowerKind> {
     FOLLOWERS.iter().copied().find(|kind| of_follower(kind) == code)
 }
 
+pub(super) fn application(letter: char) -> Option<&'static Application> {
+    let entry = APPLICATION_CODES.iter().find(|entry| entry.1.starts_with(letter))?;
+    Application::by_id(entry.0)
+}
+
 pub(super) fn length_unit(code: char) -> Option<LengthUnit> {
     LENGTH_UNIT_CODES.iter().find(|entry| entry.1.starts_with(code)).map(|entry| entry.0)
 }
@@ -111,6 +124,7 @@ fn code_of(table: &[(&str, &'static str)], id: &str) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use levalab_core::application::APPLICATIONS;
 
     fn check(table: &[(&str, &str)], ids: &[&str]) {
         for id in ids {
@@ -128,6 +142,21 @@ mod tests {
     fn every_law_and_follower_has_a_code_of_its_own() {
         check(LAW_CODES, &LAWS.iter().map(|law| law.id).collect::<Vec<_>>());
         check(FOLLOWER_CODES, &FOLLOWERS.iter().map(|kind| kind.id).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn every_application_has_a_letter_of_its_own() {
+        let mut letters: Vec<char> = APPLICATION_CODES.iter().flat_map(|entry| entry.1.chars()).collect();
+        assert_eq!(letters.len(), APPLICATIONS.len());
+        letters.sort_unstable();
+        letters.dedup();
+        assert_eq!(letters.len(), APPLICATIONS.len());
+        for entry in APPLICATIONS {
+            assert_eq!(
+                of_application(entry).chars().next().and_then(application).map(|found| found.id),
+                Some(entry.id)
+            );
+        }
     }
 
     #[test]

@@ -13,6 +13,7 @@
 //! design has one link, and no other text opens as that design) and guarded by a CRC-32: a damaged link is told, never
 //! opened as another design.
 
+mod application;
 mod codes;
 mod data;
 mod number;
@@ -160,7 +161,7 @@ fn write_value(text: &mut String, value: f64) {
     number::write(text, value.abs());
 }
 
-/// Unit, speed, rotation, kind of cam and second cam, each only when it is not the usual one.
+/// Unit, speed, rotation, kind of cam, second cam and application, each only when it is not the usual one.
 fn write_options(text: &mut String, design: &Design) {
     if design.length_unit != LengthUnit::default() {
         text.push('u');
@@ -202,6 +203,9 @@ fn write_options(text: &mut String, design: &Design) {
             text.push('_');
             number::write(text, radius);
         }
+    }
+    if let Some(application) = &design.application {
+        application::write(text, application);
     }
 }
 

@@ -1,6 +1,6 @@
 //! Reads the fields of a link whose checksum has matched.
 
-use super::{LinkError, codes, data, defaults_of, title, usual_speed_unit};
+use super::{LinkError, application, codes, data, defaults_of, title, usual_speed_unit};
 use crate::limits::MAX_SEGMENTS;
 use crate::{
     BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed, SpeedUnit,
@@ -39,12 +39,25 @@ impl<'a> Fields<'a> {
         let usual = usual_speed_unit(kind);
         let speed = Speed { unit: speed.1.unwrap_or(usual), value: speed.0 };
         let conjugate = self.conjugate()?;
+        let application = application::read(self)?;
         let mut segments = Vec::new();
         while !self.0.is_empty() && segments.len() <= MAX_SEGMENTS {
             segments.push(self.segment()?);
         }
         let base_radius = if travels { 0.0 } else { base_radius };
-        Some(Design { title, length_unit, speed, kind, rotation, base_radius, follower, values, segments, conjugate })
+        Some(Design {
+            title,
+            length_unit,
+            speed,
+            kind,
+            rotation,
+            base_radius,
+            follower,
+            values,
+            segments,
+            conjugate,
+            application,
+        })
     }
 
     fn length_unit(&mut self) -> Option<LengthUnit> {
@@ -148,7 +161,7 @@ impl<'a> Fields<'a> {
         rest.is_some()
     }
 
-    fn next(&mut self) -> Option<char> {
+    pub fn next(&mut self) -> Option<char> {
         let c = self.0.chars().next()?;
         self.0 = &self.0[c.len_utf8()..];
         Some(c)
