@@ -2,7 +2,7 @@
 
 use crate::{Language, Units, numbers};
 use levalab_core::application::Magnitude;
-use levalab_format::{Design, Outcome, OutputRange, Target};
+use levalab_format::{ApplicationDesign, Design, Outcome, OutputRange, Target};
 
 /// The name of an application, of one of its outputs, parameters or figures, as within a sentence: `piston pump`, `flow`, `piston radius`.
 #[must_use]
@@ -53,7 +53,7 @@ pub fn outcome(language: Language, design: &Design, outcome: &Outcome) -> Vec<St
     let sentences = Sentences { language, design };
     let ranges = outcome.outputs.iter().map(|output| sentences.range(output));
     let delivered = outcome.outputs.iter().filter_map(|output| sentences.delivered(output));
-    let main = design.application.as_ref().map(|application| application.main());
+    let main = design.application.as_ref().map(ApplicationDesign::main);
     let targets = outcome.targets.iter().filter_map(|target| Some(sentences.target(main?, target)));
     ranges.chain(delivered).chain(targets).collect()
 }
@@ -66,7 +66,7 @@ struct Sentences<'a> {
 impl Sentences<'_> {
     fn range(&self, output: &OutputRange) -> String {
         let OutputRange { output, range, .. } = output;
-        let told = |value: f64| self.measured(self.fine(value), output.magnitude);
+        let told = |value: f64| self.measured(&self.fine(value), output.magnitude);
         let [least, most] = [told(range.min), told(range.max)];
         let [least_at, most_at] = [self.place(range.min_at), self.place(range.max_at)];
         let head = application_head(self.language, output.id);
@@ -77,7 +77,7 @@ impl Sentences<'_> {
     }
 
     fn delivered(&self, output: &OutputRange) -> Option<String> {
-        let volume = self.measured(self.fine(output.per_cycle?), output.output.magnitude);
+        let volume = self.measured(&self.fine(output.per_cycle?), output.output.magnitude);
         let travels = self.design.kind.travel().is_some();
         Some(match (self.language, travels) {
             (Language::En, false) => format!("Each turn delivers {volume}."),
@@ -90,9 +90,9 @@ impl Sentences<'_> {
     fn target(&self, output: &levalab_core::application::Output, target: &Target) -> String {
         let Target { theta, time, value, found, error } = *target;
         let language = self.language;
-        let exact = |value: f64| self.measured(language.exact(value), output.magnitude);
-        let close = |value: f64| self.measured(language.number(value), output.magnitude);
-        let found = self.measured(self.fine(found), output.magnitude);
+        let exact = |value: f64| self.measured(&language.exact(value), output.magnitude);
+        let close = |value: f64| self.measured(&language.number(value), output.magnitude);
+        let found = self.measured(&self.fine(found), output.magnitude);
         let place = self.place_exact(theta);
         let seconds = format!("{}\u{a0}s", language.number(time));
         let name = application_name(language, output.id);
@@ -111,7 +111,7 @@ impl Sentences<'_> {
         numbers::significant(value, 6, self.language.decimal_sign())
     }
 
-    fn measured(&self, number: String, magnitude: Magnitude) -> String {
+    fn measured(&self, number: &str, magnitude: Magnitude) -> String {
         format!("{number}\u{a0}{}", self.design.length_unit.unit_of(magnitude))
     }
 
@@ -174,7 +174,7 @@ mod tests {
             "En 56,88° (0,079\u{a0}s), fuerza: 110,266\u{a0}lbf, y se pide 110,27\u{a0}lbf; error −0,003772\u{a0}lbf."
         );
         assert!(
-            spanish[0].starts_with("Fuerza de") && spanish[0].ends_with("a 126,161\u{a0}lbf en 74,4°."),
+            spanish[0].starts_with("Fuerza de") && spanish[0].ends_with("a 126,163\u{a0}lbf en 74,4°."),
             "{spanish:?}"
         );
     }
