@@ -60,8 +60,41 @@ pub fn resized(cam: &Cam, size: f64) -> Option<Cam> {
     Some(cam.with_program(Program::on(Cycle::Travel(size), &segments).ok()?))
 }
 
+/// A limit that asks for a base circle of a size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SizeLimit {
+    /// |φ| stays within its limit.
+    PressureAngle,
+    /// The profile has no cusp and is not undercut; a flat face meets no hollow.
+    Curvature,
+}
+
+/// The smallest base radius (or the shortest travel) with which one limit is kept, whatever becomes of the others. None when none does,
+/// or when every one does, however small.
+#[must_use]
+pub fn smallest_for(cam: &Cam, limit: SizeLimit) -> Option<f64> {
+    if cam.follower.reversed.is_some() {
+        return None;
+    }
+    let shortfall = |size: f64, steps: usize| {
+        let Some(sized) = resized(cam, size) else { return f64::INFINITY };
+        let samples = Samples::on_grid(&sized, steps);
+        match limit {
+            SizeLimit::PressureAngle => steepness(&sized, &samples),
+            SizeLimit::Curvature => -roundness(&sized, &samples),
+        }
+    };
+    boundary(cam, shortfall).filter(|&size| size > VANISHED * cam.size())
+}
+
 fn smallest_size(cam: &Cam) -> Option<f64> {
-    let passes = |size: f64, steps: usize| shortfall(cam, size, steps) <= 0.0;
+    let solved = boundary(cam, |size, steps| shortfall(cam, size, steps))?;
+    geometry_passes(&resized(cam, solved)?).then_some(solved)
+}
+
+/// The least size for which a shortfall, looked at in so many steps, is none.
+fn boundary(cam: &Cam, shortfall: impl Fn(f64, usize) -> f64) -> Option<f64> {
+    let passes = |size: f64, steps: usize| shortfall(size, steps) <= 0.0;
     let (low, high) = match cam.follower.body {
         Body::Slide => bracket_of_a_slide(cam, passes)?,
         Body::Swing { pivot } => {
@@ -72,10 +105,9 @@ fn smallest_size(cam: &Cam) -> Option<f64> {
             (if first == 0 { 0.0 } else { tried[first - 1] }, tried[first])
         }
     };
-    let exact = |radius: f64| shortfall(cam, radius, LEAST_STEPS);
+    let exact = |radius: f64| shortfall(radius, LEAST_STEPS);
     let solved = if exact(low).is_finite() { root(low, high, exact) } else { bisect(low, high, exact) };
-    let solved = solved * (1.0 + INSIDE);
-    geometry_passes(&resized(cam, solved)?).then_some(solved)
+    Some(solved * (1.0 + INSIDE))
 }
 
 /// The eccentricity for which the greatest φ of the rise equals that of the return, when the follower has one.
@@ -110,9 +142,13 @@ pub(crate) fn shortfall_of(cam: &Cam, steps: usize) -> f64 {
     if let Body::Swing { .. } = cam.follower.body {
         samples.measure_radius(cam);
     }
-    let angle = extremes(cam, &samples, Quantity::PressureAngle).greatest_size().0;
-    let steepness = angle / cam.follower.pressure_angle_limit() - 1.0;
-    steepness.max(-roundness(cam, &samples)).max(misplacement(cam, &samples))
+    steepness(cam, &samples).max(-roundness(cam, &samples)).max(misplacement(cam, &samples))
+}
+
+/// How far the greatest |φ| is beyond its limit, as a part of it.
+fn steepness(cam: &Cam, samples: &Samples) -> f64 {
+    let angle = extremes(cam, samples, Quantity::PressureAngle).greatest_size().0;
+    angle / cam.follower.pressure_angle_limit() - 1.0
 }
 
 /// How far the least convex ρ is from a cusp, in base radii; much, when nothing is convex.

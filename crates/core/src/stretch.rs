@@ -1,7 +1,14 @@
 //! A smooth stretch of the motion.
 
+use crate::extreme::root;
 use crate::{Form, Svaj};
 use std::f64::consts::PI;
+
+/// Places of a stretch at which a derivative is looked at for changes of its sign.
+const LOOKS: usize = 240;
+
+/// What is smaller beside the greatest value of a derivative is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// A smooth stretch of the cycle: s = curve((θ − origin)/beta), for θ from `from` to `to`.
 #[derive(Clone, Debug)]
@@ -51,6 +58,32 @@ impl Stretch {
             per_beta: self.per_beta,
             curve: self.curve.clone().scaled(-1.0, top),
         }
+    }
+
+    /// Every θ inside the stretch, its ends apart, where the derivative of that order (1 for *v* to 3 for *j*) changes its sign: the one
+    /// before it is greatest or least there.
+    #[must_use]
+    pub fn zeros(&self, order: usize) -> Vec<f64> {
+        let at = |theta: f64| self.at(theta).order(order);
+        let theta = |i: usize| self.from + (self.to - self.from) * i as f64 / LOOKS as f64;
+        let scale = (0..=LOOKS).map(|i| at(theta(i)).abs()).fold(0.0, f64::max);
+        let floor = ROUNDING * scale;
+        let mut zeros = Vec::new();
+        let mut last: Option<(f64, f64)> = None;
+        for i in 0..=LOOKS {
+            let here = (theta(i), at(theta(i)));
+            // What is nothing but rounding has no sign; where it begins or ends is of no interest.
+            if here.1.abs() <= floor {
+                continue;
+            }
+            if let Some((before, value)) = last
+                && (value > 0.0) != (here.1 > 0.0)
+            {
+                zeros.push(root(before, here.0, at));
+            }
+            last = Some(here);
+        }
+        zeros
     }
 
     /// The formula in x = (θ − origin)/β, with its origin and β.

@@ -1,11 +1,12 @@
 //! The small diagrams of a law: s, v, a and j of a cam that uses it.
 
-use crate::html::{Pen, escape};
+use crate::html::Pen;
 use crate::study::cam;
 use crate::words::{Two, two};
 use levalab_chart::{Diagram, Quantity, Style, Timing, colour, svg};
 use levalab_core::law::Group;
 use levalab_core::{Analysis, Law};
+use levalab_formula::escape;
 
 /// Colour and dash of each quantity on light paper, as the page has them; the style sheet puts the theme's in their place.
 const LOOKS: [(Quantity, &str, &[f64], Two); 4] = [

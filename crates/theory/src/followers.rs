@@ -40,8 +40,8 @@ pub(crate) fn capital(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formula::{Formula, parse};
     use levalab_core::{FOLLOWERS, Follower, Rotation, Svaj};
+    use levalab_formula::{Formula, parse};
     use nalgebra::Complex;
     use std::collections::BTreeMap;
 

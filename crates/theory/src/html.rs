@@ -3,18 +3,12 @@
 //! `$…$` is a formula, `$$…$$` alone in a paragraph a displayed one, `*…*` emphasis, `[words](#place)` a link, `{key}` a label of
 //! the page's own controls. Blank lines part paragraphs; lines that begin with `- ` are a list.
 
-use crate::formula::{self, parse};
+use levalab_formula::{self as formula, escape, parse};
 use levalab_words::Language;
 use std::collections::BTreeMap;
 
 /// Labels of the page's controls by key.
 pub type Labels = BTreeMap<String, String>;
-
-/// Text that is safe between tags and within attributes.
-#[must_use]
-pub fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
 
 /// What turns words into markup.
 #[derive(Clone, Copy)]

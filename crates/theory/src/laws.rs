@@ -1,13 +1,14 @@
 //! A law's section of the theory: everything but its words comes from its own curve.
 
-use crate::curve::{ORDERS, Written, written};
 use crate::figure;
 use crate::followers::capital;
-use crate::html::{Pen, escape};
+use crate::html::Pen;
 use crate::study::Study;
 use crate::words::laws::{LawWords, law};
 use crate::words::{Two, two};
 use levalab_core::{LAWS, Law};
+use levalab_formula::curve::{ORDERS, Written, written};
+use levalab_formula::escape;
 
 /// Place, name and body; a law without words has only its curve, which a test does not let pass.
 #[must_use]
@@ -49,7 +50,7 @@ fn source(pen: Pen, source: &str) -> String {
 fn tables(pen: Pen, own: &Written) -> String {
     let factor = own.factor.as_ref().map(|factor| pen.displayed(&format!("C_a = {factor}"))).unwrap_or_default();
     let whole = own.pieces.len() == 1;
-    let piece = |piece: &crate::curve::WrittenPiece| {
+    let piece = |piece: &levalab_formula::curve::WrittenPiece| {
         let span = if whole { String::new() } else { format!("<p class=\"span\">{}</p>", pen.formula(&piece.span)) };
         let orders: String =
             ORDERS.iter().zip(&piece.orders).map(|(left, right)| pen.displayed(&format!("{left} = {right}"))).collect();

@@ -1,16 +1,13 @@
 //! The theory, the terms and the manual of LevaLab as static pages, in English and Spanish.
 //!
 //! Laws and followers come from their lists in the core: each has its section, with formulas printed from the curve that the core
-//! computes with. Formulas are data ([`formula`]): they are printed as MathML, and the tests evaluate them against the core.
+//! computes with. Formulas are data ([`levalab_formula`]): they are printed as MathML, and the tests evaluate them against the core.
 //! What the page has already is taken from it: labels of buttons for the manual, drawings as SVG ([`pages::Assets`]).
 //!
-//! Not here: the worked solution of a design.
+//! Not here: the worked solution of a design, which is `levalab-solve`.
 
-pub mod curve;
-pub mod exact;
 mod figure;
 mod followers;
-pub mod formula;
 pub mod html;
 mod laws;
 pub mod pages;

@@ -1,9 +1,10 @@
 //! A term as it stands in the page of terms and in the cards of the question marks.
 
-use crate::html::{Pen, escape};
+use crate::html::Pen;
 use crate::pages::Assets;
 use crate::words::terms::Term;
 use crate::words::two;
+use levalab_formula::escape;
 
 /// The entry of a term: an article that the page of LevaLab takes over as it is.
 #[must_use]

@@ -28,6 +28,26 @@ pub(crate) fn significant(value: f64, digits: usize, sign: char) -> String {
     signed(value, text)
 }
 
+/// A number with so many significant digits at most in the notation of formulas: `-12340.5`, `4.3·10^-6`, `∞`.
+#[must_use]
+pub fn notation(value: f64, digits: usize) -> String {
+    let mut text = String::new();
+    let (mut exponent, mut raised) = (String::new(), false);
+    for c in significant(value, digits, '.').chars() {
+        match c {
+            GROUP => {}
+            '⁻' => exponent.push('-'),
+            c if RAISED.contains(&c) => {
+                raised = true;
+                exponent.extend(RAISED.iter().zip('0'..='9').find(|(known, _)| **known == c).map(|(_, digit)| digit));
+            }
+            MINUS => text.push('-'),
+            c => text.push(c),
+        }
+    }
+    if raised { format!("{text}^{exponent}") } else { text }
+}
+
 /// Digits with the point after the one that counts 10^exponent.
 fn pointed(digits: &str, exponent: i32) -> String {
     let zeros = |count: i32| "0".repeat(count.max(0) as usize);
@@ -76,10 +96,11 @@ fn plain(digits: &str, sign: char) -> String {
 }
 
 fn superscript(exponent: i32) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
     exponent.to_string().chars().map(raised).collect()
 }
+
+const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
 #[cfg(test)]
 mod tests {
@@ -104,6 +125,19 @@ mod tests {
         }
         assert_eq!(significant(360.000_000_002, 12, ','), "360,000000002");
         assert_eq!(significant(0.1 + 0.2, 12, ','), "0,3");
+    }
+
+    #[test]
+    fn formulas_have_a_notation_of_their_own() {
+        for (value, expected) in [
+            (-12_345.0, "-12340"),
+            (0.000_012_34, "1.234·10^-5"),
+            (-3e9, "-3·10^9"),
+            (f64::INFINITY, "∞"),
+            (0.25, "0.25"),
+        ] {
+            assert_eq!(notation(value, 4), expected);
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The polynomial that agrees with two neighbours in value and derivatives.
 
+use super::System;
 use crate::{Curve, Svaj};
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 
@@ -33,8 +34,20 @@ where
     Curve::polynomial(&coefficients[..2 * N])
 }
 
+/// The same as it is written on paper: the lower coefficients, and the system of the upper ones.
+#[must_use]
+pub fn end_system(orders: usize, start: Svaj, end: Svaj) -> (Vec<f64>, System) {
+    let orders = orders.clamp(1, 4);
+    let lower: Vec<f64> = (0..orders).map(|k| start.order(k) / falling_factorial(k, k)).collect();
+    let row = |order: usize| (orders..2 * orders).map(|k| falling_factorial(k, order)).collect();
+    let from_start = |order: usize| -> f64 { (order..orders).map(|k| lower[k] * falling_factorial(k, order)).sum() };
+    let known = (0..orders).map(|order| end.order(order) - from_start(order)).collect();
+    let matrix = (0..orders).map(row).collect();
+    (lower, System { matrix, known })
+}
+
 /// k·(k − 1)·…, `order` factors: the `order`-th derivative of xᵏ at x = 1.
-fn falling_factorial(k: usize, order: usize) -> f64 {
+pub(super) fn falling_factorial(k: usize, order: usize) -> f64 {
     (0..order).map(|i| k as f64 - i as f64).product()
 }
 
@@ -51,6 +64,21 @@ mod tests {
             let found = matched_polynomial(orders, start, end);
             for (f, e) in found.coefficients().iter().zip(&expect) {
                 assert!((f - e).abs() < 1e-11, "{found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_system_on_paper_has_the_same_solution() {
+        let (start, end) = (Svaj::new(0.3, -1.0, 2.0, 5.0), Svaj::new(0.8, 0.5, -4.0, 1.0));
+        for orders in [3, 4] {
+            let curve = matched_polynomial(orders, start, end);
+            let (lower, system) = end_system(orders, start, end);
+            let inverse = system.inverse().expect("regular");
+            let upper = |row: &Vec<f64>| row.iter().zip(&system.known).map(|(a, b)| a * b).sum::<f64>();
+            let all: Vec<f64> = lower.into_iter().chain(inverse.iter().map(upper)).collect();
+            for (found, expected) in all.iter().zip(curve.coefficients()) {
+                assert!((found - expected).abs() < 1e-10 * (1.0 + expected.abs()), "{all:?} {curve:?}");
             }
         }
     }

@@ -35,13 +35,16 @@ mod scca;
 mod simple_harmonic;
 mod skew;
 mod skewed_scca;
+mod system;
 mod table;
 
 pub use bezier::MAX_ORDINATES;
 pub use bspline::MAX_SPLINE_CONDITIONS;
 pub use circular_arc::LAW as CIRCULAR_ARC;
 pub use data::{Condition, Data, DataKind, DataProblem, Given, Solved};
+pub use matched::end_system;
 pub use polynomial::MAX_CONDITIONS;
+pub use system::{ConditionSystem, System, condition_system};
 pub use table::MAX_POINTS;
 
 pub(crate) use matched::matched_polynomial;

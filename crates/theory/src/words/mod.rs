@@ -36,9 +36,9 @@ pub(crate) const fn two(en: &'static str, es: &'static str) -> Two {
 #[cfg(test)]
 mod tests {
     use super::{concepts, followers, laws, manual, terms};
-    use crate::formula::parse;
     use levalab_core::law::Shape;
     use levalab_core::{FOLLOWERS, LAWS};
+    use levalab_formula::parse;
     use std::collections::BTreeSet;
 
     #[test]
@@ -50,7 +50,9 @@ mod tests {
             }
             let fixed = matches!(law.shape, Shape::Unit(_)) && law.parameters.is_empty();
             let printed = fixed
-                && law.unit(crate::study::rising(law)).is_ok_and(|pieces| crate::curve::written(&pieces).is_some());
+                && law
+                    .unit(crate::study::rising(law))
+                    .is_ok_and(|pieces| levalab_formula::curve::written(&pieces).is_some());
             assert!(printed || !words.formulas.is_empty(), "{} has no formula", law.id);
         }
         for kind in FOLLOWERS {

@@ -1,6 +1,6 @@
 //! The value of a formula, in complex numbers: points of the plane are magnitudes too.
 
-use super::Formula;
+use crate::Formula;
 use nalgebra::Complex;
 
 type Value = Complex<f64>;
@@ -51,7 +51,12 @@ impl Formula {
                 }
             }
             Self::Call(name, argument) => call(name, argument, known)?,
-            Self::Text(_) | Self::Apply(..) | Self::Relation(..) | Self::List(_) => return None,
+            Self::Text(_)
+            | Self::Apply(..)
+            | Self::Relation(..)
+            | Self::List(_)
+            | Self::Matrix(_)
+            | Self::Lines(..) => return None,
         })
     }
 }
@@ -81,8 +86,8 @@ fn call(name: &str, argument: &Formula, known: &dyn Fn(&str) -> Option<Value>) -
 
 #[cfg(test)]
 mod tests {
-    use super::super::parse;
     use super::*;
+    use crate::parse;
 
     fn value(text: &str) -> Value {
         let known = |name: &str| match name {

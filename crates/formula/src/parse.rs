@@ -1,6 +1,6 @@
 //! Reading the plain notation.
 
-use super::Formula;
+use crate::Formula;
 use std::fmt;
 use std::iter::Peekable;
 use std::str::Chars;

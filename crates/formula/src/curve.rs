@@ -245,13 +245,18 @@ impl Sum {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formula::parse;
-    use crate::study::rising;
-    use levalab_core::law::LAWS;
+    use crate::parse;
+    use levalab_core::LAWS;
+    use levalab_core::Law;
+    use levalab_core::law::Arguments;
     use nalgebra::Complex;
 
+    fn rising(law: &Law) -> Arguments {
+        Arguments { parameters: law.default_parameters(), falling: false, beta: 1.0 }
+    }
+
     fn pieces(id: &str) -> Vec<Piece> {
-        let law = levalab_core::Law::by_id(id).expect(id);
+        let law = Law::by_id(id).expect(id);
         law.unit(rising(law)).expect(id)
     }
 

@@ -1,0 +1,256 @@
+//! A formula as LaTeX, for what goes between `$` and `$`; it needs amsmath.
+
+use crate::mathml::function_name;
+use crate::{Bond, Formula, bond, is_bare, is_close, letter_of};
+use levalab_words::Language;
+
+/// A formula in LaTeX's mathematical mode.
+#[must_use]
+pub fn latex(formula: &Formula, language: Language) -> String {
+    Writer { language }.row(formula)
+}
+
+struct Writer {
+    language: Language,
+}
+
+impl Writer {
+    fn row(&self, formula: &Formula) -> String {
+        match formula {
+            Formula::Number(digits) => self.number(digits),
+            Formula::Symbol(name) => symbol(name),
+            Formula::Text(text) => words(text),
+            Formula::Negative(inner) => format!("-{}", self.within(inner, Bond::Product)),
+            Formula::Sum(terms) => self.sum(terms),
+            Formula::Product(factors) => self.product(factors),
+            Formula::Times(sign, a, b) => {
+                joined(&[&self.within(a, Bond::Product), operator(*sign), &self.within(b, Bond::Product)])
+            }
+            Formula::Fraction(above, below) => format!("\\frac{{{}}}{{{}}}", self.row(above), self.row(below)),
+            Formula::Power(base, raised) => self.power(base, raised),
+            Formula::Call("sqrt", inner) => format!("\\sqrt{{{}}}", self.row(inner)),
+            Formula::Call("exp", inner) => format!("\\mathrm{{e}}^{{{}}}", self.row(inner)),
+            Formula::Call(name, inner) => joined(&[&self.function(name), &self.argument(inner)]),
+            Formula::Apply(function, inner) => format!("{}({})", self.row(function), self.row(inner)),
+            Formula::Size(inner) => format!("\\left|{}\\right|", self.row(inner)),
+            Formula::Bracket(inner) => format!("\\left[{}\\right]", self.row(inner)),
+            Formula::Relation(first, rest) => rest
+                .iter()
+                .fold(self.row(first), |before, (sign, side)| joined(&[&before, operator(*sign), &self.row(side)])),
+            Formula::List(items) => items.iter().map(|item| self.row(item)).collect::<Vec<_>>().join(",\\quad "),
+            Formula::Matrix(rows) => self.matrix(rows),
+            Formula::Lines(first, lines) => self.lines(first, lines),
+        }
+    }
+
+    fn number(&self, digits: &str) -> String {
+        match (digits, self.language) {
+            ("∞", _) => "\\infty".to_owned(),
+            ("…", _) => "\\ldots".to_owned(),
+            // Braces keep the comma from being set as the one between the items of a list.
+            (digits, Language::Es) => digits.replace('.', "{,}"),
+            (digits, _) => digits.to_owned(),
+        }
+    }
+
+    fn matrix(&self, rows: &[Vec<Formula>]) -> String {
+        // An array, since the columns of `pmatrix` are counted and centred.
+        let columns = "r".repeat(rows.iter().map(Vec::len).max().unwrap_or(1));
+        let row = |row: &Vec<Formula>| row.iter().map(|entry| self.row(entry)).collect::<Vec<_>>().join(" & ");
+        let rows = rows.iter().map(row).collect::<Vec<_>>().join(" \\\\ ");
+        format!("\\left(\\begin{{array}}{{{columns}}} {rows} \\end{{array}}\\right)")
+    }
+
+    fn lines(&self, first: &Formula, lines: &[(char, Formula)]) -> String {
+        let mut left = self.row(first);
+        let line = |(sign, line): &(char, Formula)| {
+            let goes_on = if ['+', '−'].contains(sign) { "\\quad " } else { "" };
+            let left = std::mem::take(&mut left);
+            format!("{left} & {goes_on}{}", joined(&[operator(*sign), &self.row(line)]))
+        };
+        let lines = lines.iter().map(line).collect::<Vec<_>>().join(" \\\\ ");
+        format!("\\begin{{aligned}} {lines} \\end{{aligned}}")
+    }
+
+    fn sum(&self, terms: &[(char, Formula)]) -> String {
+        let mut text = String::new();
+        for (i, (sign, term)) in terms.iter().enumerate() {
+            let term = self.within(term, Bond::Product);
+            text = match (i, sign) {
+                (0, '+') => term,
+                (_, sign) => joined(&[&text, operator(*sign), &term]),
+            };
+        }
+        text
+    }
+
+    fn product(&self, factors: &[Formula]) -> String {
+        let mut text = String::new();
+        for (i, factor) in factors.iter().enumerate() {
+            let written = self.within(factor, Bond::Product);
+            text = match factor {
+                _ if i == 0 => written,
+                Formula::Text(unit) if is_close(unit) => text + &written,
+                Formula::Text(_) => text + "\\," + &written,
+                _ => joined(&[&text, &written]),
+            };
+        }
+        text
+    }
+
+    fn power(&self, base: &Formula, raised: &Formula) -> String {
+        let raised = self.row(raised);
+        if let Formula::Call(name, inner) = base
+            && !["sqrt", "exp"].contains(name)
+        {
+            return joined(&[&format!("{}^{{{raised}}}", self.function(name)), &self.argument(inner)]);
+        }
+        let base = match base {
+            Formula::Fraction(..) | Formula::Power(..) => format!("\\left({}\\right)", self.row(base)),
+            Formula::Symbol(name) if name.ends_with('\'') => format!("{{{}}}", self.row(base)),
+            _ => self.within(base, Bond::Atom),
+        };
+        format!("{base}^{{{raised}}}")
+    }
+
+    fn function(&self, name: &str) -> String {
+        match function_name(name, self.language) {
+            known @ ("sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" | "arg" | "min" | "max" | "sinh"
+            | "cosh" | "tanh" | "ln") => format!("\\{known}"),
+            other => format!("\\operatorname{{{other}}}"),
+        }
+    }
+
+    fn argument(&self, inner: &Formula) -> String {
+        let row = self.row(inner);
+        if is_bare(inner) { row } else { format!("\\left({row}\\right)") }
+    }
+
+    fn within(&self, formula: &Formula, needed: Bond) -> String {
+        let row = self.row(formula);
+        if bond(formula) < needed { format!("\\left({row}\\right)") } else { row }
+    }
+}
+
+/// Side by side, with a space where a command would run into a letter; it is not seen.
+fn joined(parts: &[&str]) -> String {
+    parts.iter().filter(|part| !part.is_empty()).copied().collect::<Vec<_>>().join(" ")
+}
+
+fn operator(sign: char) -> &'static str {
+    match sign {
+        '+' => "+",
+        '−' => "-",
+        '±' => "\\pm",
+        '·' => "\\cdot",
+        '×' => "\\times",
+        '≤' => "\\le",
+        '≥' => "\\ge",
+        '<' => "<",
+        '>' => ">",
+        '≈' => "\\approx",
+        '≠' => "\\ne",
+        '→' => "\\to",
+        '⇒' => "\\Rightarrow",
+        _ => "=",
+    }
+}
+
+fn symbol(name: &str) -> String {
+    let (letter, index, primes) = letter_of(name);
+    let mut text = greek(letter).map_or_else(|| letter.to_owned(), |name| format!("\\{name}"));
+    if !index.is_empty() {
+        let digits = index.chars().all(|c| c.is_ascii_digit());
+        text += &if digits { format!("_{{{index}}}") } else { format!("_{{{}}}", words(index)) };
+    }
+    text + &"'".repeat(primes)
+}
+
+/// The command of a letter that has one.
+fn greek(letter: &str) -> Option<&'static str> {
+    const LETTERS: [(&str, &str); 21] = [
+        ("α", "alpha"),
+        ("β", "beta"),
+        ("γ", "gamma"),
+        ("δ", "delta"),
+        ("ε", "varepsilon"),
+        ("η", "eta"),
+        ("θ", "theta"),
+        ("κ", "kappa"),
+        ("λ", "lambda"),
+        ("μ", "mu"),
+        ("ξ", "xi"),
+        ("π", "pi"),
+        ("ρ", "rho"),
+        ("σ", "sigma"),
+        ("τ", "tau"),
+        ("φ", "varphi"),
+        ("ψ", "psi"),
+        ("ω", "omega"),
+        ("Γ", "Gamma"),
+        ("Δ", "Delta"),
+        ("Φ", "Phi"),
+    ];
+    LETTERS.iter().find(|(known, _)| *known == letter).map(|(_, name)| *name)
+}
+
+/// Words or a unit: upright, with what means something to LaTeX written so that it does not.
+fn words(text: &str) -> String {
+    let mut inner = String::new();
+    for c in text.chars() {
+        match c {
+            '°' => inner += "$^\\circ$",
+            '²' => inner += "$^2$",
+            '³' => inner += "$^3$",
+            '·' => inner += "$\\cdot$",
+            other => inner += &plain(other),
+        }
+    }
+    if inner == "$^\\circ$" { "^\\circ".to_owned() } else { format!("\\text{{{inner}}}") }
+}
+
+/// A character of running text.
+pub(crate) fn plain(c: char) -> String {
+    match c {
+        '#' | '$' | '%' | '&' | '_' | '{' | '}' => format!("\\{c}"),
+        '\\' => "\\textbackslash{}".to_owned(),
+        '~' => "\\textasciitilde{}".to_owned(),
+        '^' => "\\textasciicircum{}".to_owned(),
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse;
+
+    fn written(text: &str, language: Language) -> String {
+        latex(&parse(text).expect(text), language)
+    }
+
+    #[test]
+    fn formulas_are_written_as_an_author_would() {
+        for (text, expected) in [
+            ("tan(φ) = (v - σe)/(s_0 + s)", "\\tan \\varphi = \\frac{v - \\sigma e}{s_{0} + s}"),
+            ("R_p = R_b + R_f", "R_{\\text{p}} = R_{\\text{b}} + R_{\\text{f}}"),
+            ("sin(2πx + 1)", "\\sin \\left(2 \\pi x + 1\\right)"),
+            ("1.5 {mm/s²}", "1.5\\,\\text{mm/s$^2$}"),
+            ("30{°}", "30^\\circ"),
+            ("[a + b]^(3/2)", "\\left[a + b\\right]^{\\frac{3}{2}}"),
+            ("y'^2", "{y'}^{2}"),
+        ] {
+            assert_eq!(written(text, Language::En), expected);
+        }
+        assert_eq!(written("sin(x) = 0.5", Language::Es), "\\operatorname{sen} x = 0{,}5");
+    }
+
+    #[test]
+    fn matrices_and_lines_have_their_columns() {
+        let number = |digits: &str| Formula::Number(digits.into());
+        let matrix = Formula::Matrix(vec![vec![number("1"), number("2")], vec![number("3"), number("4")]]);
+        assert_eq!(latex(&matrix, Language::En), "\\left(\\begin{array}{rr} 1 & 2 \\\\ 3 & 4 \\end{array}\\right)");
+        let lines = Formula::Lines(Box::new(number("1")), vec![('=', number("2")), ('−', number("3"))]);
+        assert_eq!(latex(&lines, Language::En), "\\begin{aligned} 1 & = 2 \\\\  & \\quad - 3 \\end{aligned}");
+    }
+}
