@@ -10,6 +10,7 @@ mod export;
 mod failure;
 mod input;
 mod output;
+mod solve;
 
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -65,6 +66,8 @@ enum Command {
         #[arg(long, value_enum, default_value_t = compare::Rank::Verdict)]
         by: compare::Rank,
     },
+    /// Writes the worked solution: conditions, linear systems, formulas, continuity, extremes, substitution, size and verdict.
+    Solve(solve::Options),
     /// Writes a file for another program: a table, a drawing or a solid.
     Export(export::Options),
     /// Writes the share link of a design, the part after `#`.
@@ -120,6 +123,7 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
         }
         Command::Compare { files } => compare::designs(&files, language)?,
         Command::Tournament { file, by } => compare::laws(&file, by, language)?,
+        Command::Solve(options) => solve::run(&options, language)?,
         Command::Link { file } => {
             let design = input::design(&file, language)?;
             let refused = |refusal| Failure::data("link", levalab_words::too_long(language, refusal));

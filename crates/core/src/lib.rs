@@ -59,7 +59,10 @@ pub use cure::{Cure, prescribe};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use cycle::Cycle;
 pub use error::{CamError, GeometryError, GeometryProblem, ProgramError, ProgramProblem};
-pub use expression::{Expression, ExpressionFault, ExpressionProblem, Formula, MAX_EXPRESSION, Variables};
+pub use expression::{
+    Constant as ExpressionConstant, Expression, ExpressionFault, ExpressionProblem, Formula,
+    Function as ExpressionFunction, MAX_EXPRESSION, Op as ExpressionOp, Variables,
+};
 pub use extreme::Extremes;
 pub use finding::{Finding, FindingKind, Level};
 pub use follower::{

@@ -79,6 +79,11 @@ fn call(name: &str, argument: &Formula, known: &dyn Fn(&str) -> Option<Value>) -
         "arg" => Value::from(value.arg()),
         "sqrt" => value.sqrt(),
         "exp" => value.exp(),
+        "ln" => value.ln(),
+        "log" => value.log(10.0),
+        "sinh" => value.sinh(),
+        "cosh" => value.cosh(),
+        "tanh" => value.tanh(),
         "sign" => Value::from(value.re.signum()),
         _ => return None,
     })

@@ -1,7 +1,7 @@
 //! A formula as LaTeX, for what goes between `$` and `$`; it needs amsmath.
 
 use crate::mathml::function_name;
-use crate::{Bond, Formula, bond, is_bare, is_close, letter_of};
+use crate::{Bond, Formula, bond, is_bare, is_close, is_variable, letter_of};
 use levalab_words::Language;
 
 /// A formula in LaTeX's mathematical mode.
@@ -78,6 +78,7 @@ impl Writer {
             let term = self.within(term, Bond::Product);
             text = match (i, sign) {
                 (0, '+') => term,
+                (0, '−') => format!("-{term}"),
                 (_, sign) => joined(&[&text, operator(*sign), &term]),
             };
         }
@@ -160,8 +161,7 @@ fn symbol(name: &str) -> String {
     let (letter, index, primes) = letter_of(name);
     let mut text = greek(letter).map_or_else(|| letter.to_owned(), |name| format!("\\{name}"));
     if !index.is_empty() {
-        let digits = index.chars().all(|c| c.is_ascii_digit());
-        text += &if digits { format!("_{{{index}}}") } else { format!("_{{{}}}", words(index)) };
+        text += &if is_variable(index) { format!("_{{{index}}}") } else { format!("_{{{}}}", words(index)) };
     }
     text + &"'".repeat(primes)
 }
@@ -194,24 +194,47 @@ fn greek(letter: &str) -> Option<&'static str> {
     LETTERS.iter().find(|(known, _)| *known == letter).map(|(_, name)| *name)
 }
 
-/// Words or a unit: upright, with what means something to LaTeX written so that it does not.
+/// Words or a unit: upright. No dollar is within, so that it can stand between two of them.
 fn words(text: &str) -> String {
+    if text == "°" {
+        return "^\\circ".to_owned();
+    }
     let mut inner = String::new();
     for c in text.chars() {
         match c {
-            '°' => inner += "$^\\circ$",
-            '²' => inner += "$^2$",
-            '³' => inner += "$^3$",
-            '·' => inner += "$\\cdot$",
-            other => inner += &plain(other),
+            ' ' => inner += "\\ ",
+            '°' => inner += "^\\circ",
+            '²' => inner += "^2",
+            '³' => inner += "^3",
+            other => inner += plain(other).trim_matches('$'),
         }
     }
-    if inner == "$^\\circ$" { "^\\circ".to_owned() } else { format!("\\text{{{inner}}}") }
+    format!("\\mathrm{{{inner}}}")
 }
 
-/// A character of running text.
-pub(crate) fn plain(c: char) -> String {
+/// Running text, in which nothing means anything to LaTeX.
+#[must_use]
+pub fn latex_text(text: &str) -> String {
+    text.chars().map(plain).collect()
+}
+
+/// A character of running text; letters and signs that its usual fonts lack are set as mathematics.
+fn plain(c: char) -> String {
+    if let Some(name) = greek(&c.to_string()) {
+        return format!("$\\{name}$");
+    }
     match c {
+        '−' => "$-$".to_owned(),
+        '≤' | '≥' | '≠' | '≈' | '·' | '×' | '→' => format!("${}$", operator(c)),
+        '∞' => "$\\infty$".to_owned(),
+        '°' => "$^\\circ$".to_owned(),
+        '²' => "$^2$".to_owned(),
+        '³' => "$^3$".to_owned(),
+        '⁻' => "$^-$".to_owned(),
+        '₀' => "$_0$".to_owned(),
+        '₂' => "$_2$".to_owned(),
+        '\u{a0}' => "~".to_owned(),
+        '\u{202f}' => "\\,".to_owned(),
         '#' | '$' | '%' | '&' | '_' | '{' | '}' => format!("\\{c}"),
         '\\' => "\\textbackslash{}".to_owned(),
         '~' => "\\textasciitilde{}".to_owned(),
@@ -233,9 +256,9 @@ mod tests {
     fn formulas_are_written_as_an_author_would() {
         for (text, expected) in [
             ("tan(φ) = (v - σe)/(s_0 + s)", "\\tan \\varphi = \\frac{v - \\sigma e}{s_{0} + s}"),
-            ("R_p = R_b + R_f", "R_{\\text{p}} = R_{\\text{b}} + R_{\\text{f}}"),
+            ("R_p = R_b + R_f", "R_{\\mathrm{p}} = R_{\\mathrm{b}} + R_{\\mathrm{f}}"),
             ("sin(2πx + 1)", "\\sin \\left(2 \\pi x + 1\\right)"),
-            ("1.5 {mm/s²}", "1.5\\,\\text{mm/s$^2$}"),
+            ("1.5 {mm/s²}", "1.5\\,\\mathrm{mm/s^2}"),
             ("30{°}", "30^\\circ"),
             ("[a + b]^(3/2)", "\\left[a + b\\right]^{\\frac{3}{2}}"),
             ("y'^2", "{y'}^{2}"),

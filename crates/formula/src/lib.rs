@@ -12,7 +12,7 @@ mod markup;
 mod mathml;
 mod parse;
 
-pub use latex::latex;
+pub use latex::{latex, latex_text};
 pub use markup::{Element, Node, escape};
 pub use mathml::{block, inline, math};
 pub use parse::{Misprint, parse};
@@ -127,7 +127,12 @@ fn letter_of(symbol: &str) -> (&str, &str, usize) {
     (letter, index, symbol.len() - bare.len())
 }
 
-/// True for a unit that follows its number without a space.
+/// True for what follows a number without a space: degrees, and the sign of a factorial.
 fn is_close(unit: &str) -> bool {
-    unit.starts_with('°')
+    unit.starts_with(['°', '!'])
+}
+
+/// True for an index that counts: a number, or a letter that stands for one. Others say what is meant, as b does of a base circle.
+fn is_variable(index: &str) -> bool {
+    index.chars().all(|c| c.is_ascii_digit()) || ["i", "k", "m", "n"].contains(&index)
 }

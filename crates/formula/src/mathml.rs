@@ -1,6 +1,6 @@
 //! A formula as MathML, which browsers set by themselves.
 
-use crate::{Bond, Element, Formula, Node, bond, is_bare, is_close, is_named, letter_of};
+use crate::{Bond, Element, Formula, Node, bond, is_bare, is_close, is_named, is_variable, letter_of};
 use levalab_words::Language;
 
 /// A formula within a line of text.
@@ -226,7 +226,14 @@ fn symbol(name: &str) -> Row {
         letter
     } else {
         let digits = index.chars().all(|c| c.is_ascii_digit());
-        element("msub", [letter, leaf(if digits { "mn" } else { "mtext" }, index)].concat())
+        let kind = if digits {
+            "mn"
+        } else if is_variable(index) {
+            "mi"
+        } else {
+            "mtext"
+        };
+        element("msub", [letter, leaf(kind, index)].concat())
     };
     // Primes stand beside their letter: as a superscript they vanish in fonts that are not made for mathematics.
     if primes == 0 {

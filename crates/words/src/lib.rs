@@ -27,11 +27,8 @@ mod numbers;
 mod units;
 mod voice;
 
-<<<<<<< HEAD
 pub use application::{application_head, application_name, application_title, outcome};
-=======
 pub use numbers::notation;
->>>>>>> 2e5fcfc (Formulas are a crate of their own, with a LaTeX writer; the core gives the linear systems of its polynomials, zeros of derivatives and the size that each limit asks for)
 pub use voice::FileProblem;
 
 use levalab_core::{FollowerKind, Law, Level};

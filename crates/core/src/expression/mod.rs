@@ -42,32 +42,52 @@ pub struct Formula {
     shift: f64,
 }
 
+/// An operation of an expression; operands come before operators.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Op {
+pub enum Op {
+    /// A number.
     Number(f64),
+    /// A variable or a constant.
     Constant(Constant),
+    /// a + b
     Add,
+    /// a − b
     Sub,
+    /// a·b
     Mul,
+    /// a/b
     Div,
+    /// −a
     Neg,
+    /// a raised to b
     Pow,
+    /// A function of a.
     Call(Function),
 }
 
+/// What an expression may name.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Constant {
+pub enum Constant {
+    /// x = θ/β
     X,
+    /// θ, radians from the start of the segment.
     Theta,
+    /// β, radians.
     Beta,
+    /// L
     Rise,
+    /// s₀
     Start,
+    /// π
     Pi,
+    /// e
     Euler,
 }
 
+/// The functions of expressions.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Function {
+#[expect(missing_docs, reason = "their names say it")]
+pub enum Function {
     Sin,
     Cos,
     Tan,
@@ -84,6 +104,12 @@ enum Function {
 }
 
 impl Expression {
+    /// Its operations in their order, operands before operators.
+    #[must_use]
+    pub fn ops(&self) -> &[Op] {
+        &self.ops
+    }
+
     /// True when L is named, so that a rise must be told.
     #[must_use]
     pub fn names_rise(&self) -> bool {

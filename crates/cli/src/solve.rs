@@ -1,0 +1,61 @@
+//! `levalab solve`: the worked solution of a design.
+
+use crate::failure::Failure;
+use crate::input;
+use levalab_solve::{Request, Symbols, Worked, latex, markdown, page, solve};
+use levalab_words::Language;
+
+/// What is asked of a solution.
+#[derive(clap::Args)]
+pub struct Options {
+    /// Design file.
+    file: String,
+    /// The only segment to work out, counted from 1.
+    #[arg(long, value_name = "K")]
+    segment: Option<usize>,
+    /// Where numbers are put into the formulas: degrees, or length for a cam that travels; where |v| is greatest when left out.
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    theta: Option<f64>,
+    /// What to write: Markdown with formulas in LaTeX, a LaTeX document, or a page with MathML.
+    #[arg(long, value_enum, default_value_t = Writer::Markdown)]
+    to: Writer,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Writer {
+    /// Markdown, with formulas in LaTeX between dollar signs.
+    Markdown,
+    /// A LaTeX document.
+    Latex,
+    /// An HTML page, with formulas in MathML.
+    Html,
+}
+
+/// The solution as text.
+pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
+    let design = input::design(&options.file, language)?;
+    let worked = Worked::of(design).map_err(|error| Failure::design(&error, &options.file, language))?;
+    let most = worked.segments();
+    if let Some(found) = options.segment.filter(|k| !(1..=most).contains(k)) {
+        let said = match language {
+            Language::En => format!("The design has segments 1 to {most}, and no segment {found}."),
+            Language::Es => format!("El diseño tiene los tramos 1 a {most}, y ningún tramo {found}."),
+        };
+        return Err(Failure::usage(format!("--segment: {said}")));
+    }
+    if options.theta.is_some_and(|theta| !theta.is_finite()) {
+        let said = match language {
+            Language::En => "It must be a number that can be held.",
+            Language::Es => "Tiene que ser un número finito.",
+        };
+        return Err(Failure::usage(format!("--theta: {said}")));
+    }
+    let segment = options.segment.map(|k| k - 1);
+    let request = Request { language, theta: options.theta, segment, symbols: Symbols::default() };
+    let document = solve(&worked, &request);
+    Ok(match options.to {
+        Writer::Markdown => markdown(&document, language),
+        Writer::Latex => latex(&document, language),
+        Writer::Html => page(&document, language),
+    })
+}

@@ -1,0 +1,87 @@
+//! The solution as elements of a page, its mathematics as MathML.
+
+use crate::document::{Block, Document, Inline, Line, Table};
+use levalab_formula::{Element, Formula, Node, escape, math};
+use levalab_words::Language;
+
+/// The document as elements, its title first as a heading of the second level.
+#[must_use]
+pub fn html(document: &Document, language: Language) -> Vec<Node> {
+    let title = Element::text("h2", document.title.clone()).into();
+    std::iter::once(title).chain(document.blocks.iter().map(|block| of_block(block, language))).collect()
+}
+
+/// The document as a page by itself.
+#[must_use]
+pub fn page(document: &Document, language: Language) -> String {
+    let body: String = html(document, language).iter().map(|node| format!("{node}\n")).collect();
+    format!(
+        "<!doctype html>\n<html lang=\"{}\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n\
+         <title>{}</title>\n<style>{STYLE}</style>\n<main class=\"solution\">\n{body}</main>\n</html>\n",
+        language.tag(),
+        escape(&document.title)
+    )
+}
+
+/// Looks for a page that stands by itself.
+const STYLE: &str = "\
+body{font:16px/1.5 system-ui,sans-serif;max-width:52rem;margin:2rem auto;padding:0 1rem}\
+.formula{overflow-x:auto;margin:.5rem 0 .5rem 1.5rem}.formula math{display:block math;text-align:left}\
+.cells{overflow-x:auto}table{border-collapse:collapse;margin:.75rem 0}caption{text-align:left;font-style:italic}\
+th,td{padding:.15rem .6rem;text-align:left;border-bottom:1px solid #9996;white-space:nowrap}\
+mtable.lines>mtr>mtd:first-child{text-align:right;padding-right:0}mtable.lines>mtr>mtd+mtd{text-align:left;padding-left:.2em}\
+@page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4{break-after:avoid}}";
+
+fn of_block(block: &Block, language: Language) -> Node {
+    match block {
+        Block::Heading(1, line) => Element::new("h3", of_line(line, language)).into(),
+        Block::Heading(_, line) => Element::new("h4", of_line(line, language)).into(),
+        Block::Paragraph(line) => Element::new("p", of_line(line, language)).into(),
+        Block::Formula(formula) => of_formula(formula, language),
+        Block::List(lines) => {
+            let items = lines.iter().map(|line| Element::new("li", of_line(line, language)).into());
+            Element::new("ul", items.collect()).into()
+        }
+        Block::Table(table) => of_table(table, language),
+    }
+}
+
+/// Equations side by side are formulas of their own, so that a narrow page can put them one under the other.
+fn of_formula(formula: &Formula, language: Language) -> Node {
+    let equations = if let Formula::List(items) = formula { items.iter().collect() } else { vec![formula] };
+    let last = equations.len().saturating_sub(1);
+    let each = equations.into_iter().enumerate().map(|(i, equation)| {
+        let mut math = math(equation, language, true);
+        if i < last {
+            math.children.push(Element::text("mo", ",").with("separator", "true").into());
+        }
+        Node::from(math)
+    });
+    let several = if last > 0 { "formula several" } else { "formula" };
+    Element::new("div", each.collect()).with("class", several).into()
+}
+
+fn of_table(table: &Table, language: Language) -> Node {
+    let head = table.heads.iter().map(|head| Element::new("th", of_line(head, language)).with("scope", "col").into());
+    let row = |cells: &Vec<Line>| {
+        let cells = cells.iter().map(|cell| Element::new("td", of_line(cell, language)).into());
+        Node::from(Element::new("tr", cells.collect()))
+    };
+    let inner = Element::new(
+        "table",
+        vec![
+            Element::new("caption", of_line(&table.caption, language)).into(),
+            Element::new("thead", vec![Element::new("tr", head.collect()).into()]).into(),
+            Element::new("tbody", table.rows.iter().map(row).collect()).into(),
+        ],
+    );
+    Element::new("div", vec![inner.into()]).with("class", "cells").into()
+}
+
+fn of_line(line: &Line, language: Language) -> Vec<Node> {
+    let part = |part: &Inline| match part {
+        Inline::Text(text) => Node::Text(text.clone()),
+        Inline::Formula(formula) => math(formula, language, false).into(),
+    };
+    line.iter().map(part).collect()
+}
