@@ -23,6 +23,7 @@
 mod application;
 mod check;
 mod compare;
+mod convert;
 mod cure;
 mod data;
 mod decimal;

@@ -5,6 +5,7 @@
 
 mod domain;
 mod jet;
+mod lengths;
 mod parse;
 #[cfg(test)]
 mod tests;

@@ -2,6 +2,7 @@
 
 use super::{Constant, Expression, Function, Op};
 use crate::nearest;
+use std::ops::Range;
 
 /// Longest expression, characters.
 pub const MAX_EXPRESSION: usize = 512;
@@ -48,7 +49,11 @@ struct Parser {
     at: usize,
     depth: usize,
     ops: Vec<Op>,
+    named: Vec<Named>,
 }
+
+/// Where a variable or constant is named, in characters.
+type Named = (Range<usize>, Constant);
 
 type Parsed = Result<(), ExpressionProblem>;
 
@@ -58,8 +63,13 @@ impl Expression {
     /// # Errors
     /// Says what cannot be read, and at which character.
     pub fn parse(text: &str) -> Result<Self, ExpressionProblem> {
+        Self::read(text).map(|(expression, _)| expression)
+    }
+
+    /// The same, with the places of its variables.
+    pub(super) fn read(text: &str) -> Result<(Self, Vec<Named>), ExpressionProblem> {
         let text: Vec<char> = text.chars().take(MAX_EXPRESSION + 1).collect();
-        let mut parser = Parser { text, at: 0, depth: 0, ops: Vec::new() };
+        let mut parser = Parser { text, at: 0, depth: 0, ops: Vec::new(), named: Vec::new() };
         if parser.text.len() > MAX_EXPRESSION {
             return Err(ExpressionProblem {
                 at: MAX_EXPRESSION,
@@ -68,7 +78,7 @@ impl Expression {
         }
         parser.sum()?;
         match parser.peek() {
-            None => Ok(Self { ops: parser.ops }),
+            None => Ok((Self { ops: parser.ops }, parser.named)),
             Some(c) => parser.refuse(ExpressionFault::Unexpected(c)),
         }
     }
@@ -225,7 +235,10 @@ impl Parser {
         };
         self.at += known.chars().count();
         match meaning {
-            Meaning::Constant(constant) => self.ops.push(Op::Constant(constant)),
+            Meaning::Constant(constant) => {
+                self.named.push((start..self.at, constant));
+                self.ops.push(Op::Constant(constant));
+            }
             Meaning::Function(function) => {
                 if self.peek() != Some('(') {
                     return Err(ExpressionProblem { at: start, kind: ExpressionFault::NoArgument(known.to_owned()) });

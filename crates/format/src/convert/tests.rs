@@ -1,0 +1,224 @@
+//! Claims about designs in other units.
+
+use super::rounded;
+use crate::testing::{self, Random};
+use crate::{CamKind, DataRefusal, Design, EXAMPLES, LengthUnit, Problem, SegmentDesign, SpeedUnit, example};
+use levalab_core::law::Data;
+use levalab_core::{Analysis, Column, Law};
+use serde_json::Value;
+
+const FORTY_DESIGNS_EACH: usize = 40;
+
+fn size(unit: LengthUnit) -> f64 {
+    super::tenths_of_millimetres(unit)
+}
+
+/// Lengths from which the tolerance for sums, the same number in any unit, is a matter of the thirteenth digit, which splines may lose.
+const HUGE: f64 = 1e3;
+
+/// Refused for what is too large, too small or too long in the other unit, and for nothing else.
+fn is_out_of_range(problem: &Problem, design: &Design, unit: LengthUnit) -> bool {
+    let largest = design.segments.iter().map(|segment| segment.rise.abs()).fold(design.base_radius, f64::max);
+    match problem {
+        Problem::OutOfRange { .. } | Problem::Data(DataRefusal::Expression(_)) => true,
+        Problem::Closing { .. } | Problem::BelowBase { .. } => largest * size(design.length_unit) / size(unit) > HUGE,
+        _ => false,
+    }
+}
+
+/// Equal but for the last two bits of numbers that have more than fifteen digits.
+fn check_same(one: &Value, other: &Value, place: &str) {
+    match (one, other) {
+        (Value::Number(one), Value::Number(other)) => {
+            let (one, other) = (one.as_f64().expect("f64"), other.as_f64().expect("f64"));
+            if rounded(one) == one {
+                assert_eq!(one, other, "{place}");
+            } else {
+                assert!((one - other).abs() <= 4.0 * f64::EPSILON * one.abs(), "{place}: {one} {other}");
+            }
+        }
+        (Value::Array(one), Value::Array(other)) => {
+            assert_eq!(one.len(), other.len(), "{place}");
+            one.iter().zip(other).enumerate().for_each(|(k, (a, b))| check_same(a, b, &format!("{place}[{k}]")));
+        }
+        (Value::Object(one), Value::Object(other)) => {
+            assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>(), "{place}");
+            one.iter().for_each(|(key, value)| check_same(value, &other[key], &format!("{place}.{key}")));
+        }
+        _ => assert_eq!(one, other, "{place}"),
+    }
+}
+
+#[test]
+fn a_design_comes_back_from_any_unit_as_it_was() {
+    let mut random = Random::new(12);
+    let mut converted = 0;
+    for _ in 0..FORTY_DESIGNS_EACH * 16 {
+        let design = testing::design(&mut random);
+        let unit = *random.pick(&LengthUnit::ALL);
+        match design.in_unit(unit) {
+            Ok(other) => {
+                converted += 1;
+                assert_eq!(other.length_unit, unit);
+                let back = match other.in_unit(design.length_unit) {
+                    Err(error) if is_out_of_range(&error.problem, &other, design.length_unit) => continue,
+                    back => back.expect("it was in range"),
+                };
+                check_same(&design.to_value(), &back.to_value(), &design.to_json());
+            }
+            Err(error) => assert!(is_out_of_range(&error.problem, &design, unit), "{error}\n{}", design.to_json()),
+        }
+    }
+    assert!(converted > FORTY_DESIGNS_EACH * 14, "{converted}");
+}
+
+#[test]
+fn examples_come_back_to_the_letter() {
+    for (name, json) in EXAMPLES {
+        for unit in LengthUnit::ALL {
+            let design = Design::from_json(json).expect(name);
+            let there = design.in_unit(unit).expect(name);
+            assert_eq!(there.in_unit(design.length_unit).expect(name).to_json(), *json, "{name} by {}", unit.symbol());
+        }
+    }
+}
+
+/// What a column is multiplied by when its lengths are: angles by nothing, ρ as lengths, derivatives as their order says.
+fn power(design: &Design, column: Column) -> i32 {
+    let (oscillating, travels) = (design.is_oscillating(), design.kind.travel().is_some());
+    match column {
+        Column::PressureAngle => 0,
+        Column::Theta => i32::from(travels),
+        Column::S | Column::V | Column::A | Column::J if oscillating => 0,
+        Column::V if travels => 0,
+        Column::A if travels => -1,
+        Column::J if travels => -2,
+        _ => 1,
+    }
+}
+
+#[test]
+fn every_figure_scales_with_the_unit_and_angles_stay() {
+    let mut random = Random::new(5);
+    let mut compared = 0;
+    for _ in 0..FORTY_DESIGNS_EACH {
+        let design = testing::design(&mut random);
+        let unit = *random.pick(&LengthUnit::ALL);
+        let Ok(other) = design.in_unit(unit) else { continue };
+        let factor = size(design.length_unit) / size(unit);
+        let (one, two) = (design.cam().expect("a cam"), other.cam().expect("a cam"));
+        let (one, two) = (Analysis::of(&one, 120), Analysis::of(&two, 120));
+        // A finding at the very edge of its limit may fall to either side; there are none among these.
+        assert_eq!(one.level, two.level, "{}", design.to_json());
+        for column in Column::ALL {
+            let (Some(before), Some(after)) = (one.column(column), two.column(column)) else {
+                assert_eq!(one.column(column).is_some(), two.column(column).is_some());
+                continue;
+            };
+            let scale = factor.powi(power(&design, column));
+            let largest =
+                before.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()));
+            for (&before, &after) in before.iter().zip(after) {
+                // ρ near where it is endless, and what polynomials of high degree lose, have fewer digits.
+                let near =
+                    1e-6 * (before.abs() + largest * 1e-3) + if column == Column::PressureAngle { 1e-12 } else { 0.0 };
+                let same = before == after || (before * scale - after).abs() <= near * scale;
+                assert!(same || before.abs() > 1e9, "{column:?} {before} {after}\n{}", design.to_json());
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 10_000);
+}
+
+fn with_formula(design: &Design, text: &str) -> Design {
+    let rise = if text.contains('L') { 12.5 } else { 0.0 };
+    let law = Law::by_id("formula").expect("formula");
+    let beta = design.kind.whole();
+    let data = Data::Expression(text.to_owned());
+    Design { segments: vec![SegmentDesign { law, beta, rise, parameters: [0.0; 2], data }], ..design.clone() }
+}
+
+fn formula_of(design: &Design) -> &str {
+    match &design.segments[0].data {
+        Data::Expression(text) => text,
+        _ => "",
+    }
+}
+
+#[test]
+fn a_formula_stays_the_same_motion() {
+    let plate = example("9RT").expect("9RT");
+    let wedge = EXAMPLES.iter().map(|(_, json)| Design::from_json(json).expect("an example"));
+    let wedge = wedge.into_iter().find(|design| design.kind.travel().is_some()).expect("a wedge");
+    let wedge = Design { kind: CamKind::Translating { length: 50.0 }, ..wedge };
+    for (design, text, inches) in [
+        (&plate, "s₀ + L (sin(2πx))²", "s₀ + L (sin(2πx))²"),
+        (&plate, "5 sin(θ)^2", "(5 sin(θ)^2)/25.4"),
+        (&plate, "(1 − cos(2πx)) (L+2)", "((1 − cos(2πx)) ((25.4L)+2))/25.4"),
+        (&wedge, "θ/4", "θ/4"),
+        (&wedge, "2 sin(θ/50) + 0.1theta", "(2 sin((25.4θ)/50) + 0.1(25.4theta))/25.4"),
+    ] {
+        let design = with_formula(design, text);
+        let Ok(cam) = design.cam() else { panic!("{text}: {:?}", design.cam().err()) };
+        let other = design.in_unit(LengthUnit::Inch).expect(text);
+        assert_eq!(formula_of(&other), inches);
+        let (there, span) = (other.cam().expect(text), cam.program.span());
+        let place = if design.kind.travel().is_some() { 25.4 } else { 1.0 };
+        for k in 0..20 {
+            let theta = span * f64::from(k) / 20.0;
+            let (before, after) = (cam.program.at(theta), there.program.at(theta / place));
+            assert!((before.s - 25.4 * after.s).abs() < 1e-12, "{text} at {theta}");
+            assert!((before.v * place - 25.4 * after.v).abs() < 1e-11, "{text} at {theta}");
+        }
+        for unit in LengthUnit::ALL {
+            let on = other.in_unit(unit).expect(text);
+            assert!(formula_of(&on).len() <= inches.len() + 4, "written around once: {}", formula_of(&on));
+            assert_eq!(on.in_unit(LengthUnit::Millimetre).expect(text), design);
+        }
+    }
+}
+
+#[test]
+fn numbers_are_exact_and_short_where_they_can_be() {
+    let design = example("9RT").expect("9RT");
+    let inches = design.in_unit(LengthUnit::Inch).expect("in range");
+    assert_eq!(inches.base_radius, 35.0 / 25.4);
+    let whole = Design { base_radius: 1.5, length_unit: LengthUnit::Inch, ..design.clone() };
+    assert_eq!(whole.in_unit(LengthUnit::Millimetre).expect("in range").base_radius, 38.1);
+    assert_eq!(design.in_unit(LengthUnit::Metre).expect("in range").base_radius, 0.035);
+    let relabelled = design.relabelled(LengthUnit::Inch);
+    assert_eq!((relabelled.base_radius, relabelled.length_unit), (35.0, LengthUnit::Inch));
+}
+
+#[test]
+fn a_sum_that_only_just_passes_still_does_in_a_smaller_unit() {
+    let mut design = example("9RT").expect("9RT").in_unit(LengthUnit::Metre).expect("in range");
+    design.segments[0].rise += 9e-10;
+    design.cam().expect("within what may be missed");
+    let smaller = design.in_unit(LengthUnit::Millimetre).expect("closed by its last move");
+    assert_eq!(smaller.segments[0].rise, 10.0000009);
+}
+
+#[test]
+fn what_does_not_fit_the_unit_is_refused_at_its_place() {
+    let mut design = example("9RT").expect("9RT").relabelled(LengthUnit::Metre);
+    design.base_radius = 5e5;
+    let error = design.in_unit(LengthUnit::Millimetre).expect_err("too large");
+    assert_eq!(error.path.to_string(), "cam.base_radius");
+}
+
+#[test]
+fn speeds_come_back_as_they_were() {
+    let mut random = Random::new(3);
+    for _ in 0..20_000 {
+        let digits = random.below(15) as i32;
+        let value = rounded((random.unit() * 10_f64.powi(digits)).round() / 10_f64.powi(random.below(7) as i32));
+        let mut design = example("9RT").expect("9RT");
+        let [from, to] = [*random.pick(&SpeedUnit::ALL), *random.pick(&SpeedUnit::ALL)];
+        design.speed = crate::Speed { value, unit: from };
+        let there = design.in_speed_unit(to);
+        assert_eq!(there.in_speed_unit(from).speed, design.speed);
+        assert!((there.omega() - design.omega()).abs() <= 1e-15 * design.omega());
+    }
+}
