@@ -21,6 +21,7 @@ const RESTART_WINDOW = 10_000;
  * @property {(fragment: string, language: Language) => Read} open_link
  * @property {(design: unknown, language: Language) => Read} read_design
  * @property {(design: unknown, key: TieKey) => Room | null} room_for_second
+ * @property {(design: Readonly<Design>, unit: string, language: Language) => Read} in_unit
  */
 
 /**

@@ -73,24 +73,31 @@ export function createGeometry(context, texts) {
     path: () => "speed.value",
     highlight: () => ({ parameter: "speed" }),
   });
-  const speedUnit = select("field-speed-unit", catalogue.speed_units, (draft, unit) => (draft.speed.unit = unit), t);
-  const lengthUnit = select("field-length-unit", catalogue.length_units, (draft, unit) => {
-    draft.length_unit = unit;
-    if (draft.cam.kind === "translating") draft.speed.unit = `${unit}/s`;
-  }, t);
-  const rotation = select("field-rotation", ROTATIONS, (draft, sense) => (draft.cam.rotation = /** @type {Rotation} */ (sense)), t);
+  const speedUnit = unitSelect("field-speed-unit", catalogue.speed_units);
+  const lengthUnit = unitSelect("field-length-unit", catalogue.length_units);
+  const rotation = select("field-rotation", ROTATIONS);
+  rotation.addEventListener("change", () => {
+    store.edit(t("edit.rotation"), (draft) => (draft.cam.rotation = /** @type {Rotation} */ (rotation.value)));
+  });
 
   /**
    * @param {string} id
    * @param {string[]} values
-   * @param {(draft: Design, value: string) => void} write
-   * @param {typeof t} words
    */
-  function select(id, values, write, words) {
-    const element = h("select", { id }, ...values.map((value) => h("option", { value }, value)));
-    element.addEventListener("change", () => {
-      const label = id === "field-rotation" ? words("edit.rotation") : words("edit.unit");
-      store.edit(label, (draft) => write(draft, element.value));
+  function select(id, values) {
+    return h("select", { id }, ...values.map((value) => h("option", { value }, value)));
+  }
+
+  /**
+   * Another unit is a question: the same cam, or the same numbers?
+   * @param {string} id
+   * @param {string[]} units
+   */
+  function unitSelect(id, units) {
+    const element = select(id, units);
+    element.addEventListener("change", async () => {
+      element.dataset["asking"] = "";
+      (await import("./unit-change.js")).ask(context, element, choices);
     });
     return element;
   }
@@ -197,7 +204,7 @@ export function createGeometry(context, texts) {
    * @param {string} value
    */
   function choose(select, value) {
-    if (select.value !== value) select.value = value;
+    if (select.value !== value && !("asking" in select.dataset)) select.value = value;
   }
 
   /** @param {string} path */

@@ -2,8 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  LINKS, actOnSegment, becomes, beta, descriptions, diagram, en, eventually, field, frames, fragment, law, level, literal, mechanism, nextFragment, numberOf,
-  openStill, picture, program, redo, rise, undo, verdict,
+  LINKS, actOnSegment, announced, becomes, beta, descriptions, diagram, en, eventually, field, frames, fragment, law, level, literal, mechanism, nextFragment, numberOf,
+  openStill, picture, program, redo, rise, undo, verdict, violations,
 } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -300,11 +300,63 @@ test("a follower and back is the same cam", async (t) => {
   await becomes(() => fragment(page), LINKS["9RT"]);
 });
 
+/**
+ * Chooses another unit, and answers what that is to do.
+ * @param {import("playwright-core").Page} page
+ * @param {string} which
+ * @param {string} unit
+ * @param {RegExp} answer
+ */
+async function changeUnit(page, which, unit, answer) {
+  await field(page, which).selectOption(unit);
+  await page.getByRole("button", { name: answer }).click();
+}
+
+test("another unit keeps the cam or the numbers, whichever is wanted, and is one step to undo", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  await changeUnit(page, "length-unit", "in", /^Same cam: 35\smm = 1\.378\sin$/);
+  const inches = await nextFragment(page, LINKS["9RT"]);
+  assert.match(inches, /R1\.3779527559055118_\.2755905511811024ui/);
+  assert.equal(await field(page, "base_radius").inputValue(), "1.377953");
+  await becomes(() => figures(page), /0\.3937\sin/);
+  await changeUnit(page, "length-unit", "mm", /^Same cam: 1\.378\sin = 35\smm$/);
+  await becomes(() => fragment(page), LINKS["9RT"]);
+  await undo(page).click();
+  await becomes(() => fragment(page), inches);
+  await undo(page).click();
+  await becomes(() => fragment(page), LINKS["9RT"]);
+  await changeUnit(page, "speed-unit", "rpm", /^Same speed: 1\srad\/s = 9\.549\srpm$/);
+  await becomes(() => field(page, "speed").inputValue(), "9.549297");
+  await changeUnit(page, "speed-unit", "rad/s", /^Same speed/);
+  await becomes(() => fragment(page), LINKS["9RT"]);
+});
+
+test("a unit that is not wanted after all changes nothing", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const unit = field(page, "length-unit");
+  for (const [to, leave] of /** @type {const} */ ([["cm", () => page.keyboard.press("Escape")], ["m", () => page.getByRole("button", { name: "Keep mm" }).click()], ["in", () => unit.selectOption("mm")]])) {
+    await unit.focus();
+    await unit.selectOption(to);
+    await page.getByRole("group", { name: `From mm to ${to}:` }).waitFor();
+    assert.match((await announced(page)) ?? "", new RegExp(`^From mm to ${to}: Same cam: 35`));
+    await leave();
+    await becomes(() => page.locator(".unit-question").count(), 0);
+    assert.equal(await unit.inputValue(), "mm");
+    assert.equal(await fragment(page), LINKS["9RT"]);
+  }
+  await unit.selectOption("in");
+  await page.locator(".unit-question").waitFor();
+  assert.deepEqual(await violations(page, "question of the unit"), []);
+  await field(page, "base_radius").fill("36");
+  await becomes(() => page.locator(".unit-question").count(), 0);
+  assert.equal(await unit.inputValue(), "mm");
+});
+
 test("title, unit, speed and sense of rotation are part of the design", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   await page.getByRole("textbox", { name: en("header.title") }).fill("Press feed");
-  await field(page, "length-unit").selectOption("in");
-  await field(page, "speed-unit").selectOption("rpm");
+  await changeUnit(page, "length-unit", "in", /^Same numbers: 35\smm → 35\sin$/);
+  await changeUnit(page, "speed-unit", "rpm", /^Same numbers: 1\srad\/s → 1\srpm$/);
   await field(page, "rotation").selectOption("clockwise");
   await field(page, "speed").fill("120");
   await becomes(() => fragment(page), /^1\.Press_feed\./);

@@ -20,6 +20,8 @@ import { kindsEn } from "../../web/strings/kinds.en.js";
 import { kindsEs } from "../../web/strings/kinds.es.js";
 import { stageEn } from "../../web/strings/stage.en.js";
 import { stageEs } from "../../web/strings/stage.es.js";
+import { unitsEn } from "../../web/strings/units.en.js";
+import { unitsEs } from "../../web/strings/units.es.js";
 import { openPage } from "./harness.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -28,7 +30,7 @@ import { openPage } from "./harness.js";
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn, ...exportsEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs, ...exportsEs } };
+const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn, ...exportsEn, ...unitsEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs, ...exportsEs, ...unitsEs } };
 addStrings(onDemand);
 export const en = words("en", { ...enShell, ...stageEn, ...onDemand.en });
 export const es = words("es", { ...esShell, ...stageEs, ...onDemand.es });

@@ -53,7 +53,6 @@ export const en = {
   "edit.file": "file opened",
   "edit.cure": "cure",
   "edit.rotation": "sense of rotation",
-  "edit.unit": "unit",
   "edit.law": "law of segment {number}",
   "edit.insert": "segment inserted",
   "edit.duplicate": "segment duplicated",
@@ -76,7 +75,7 @@ export const en = {
   "rotation.counterclockwise": "Counter-clockwise",
   "rotation.clockwise": "Clockwise",
   "design.length-unit": "Unit",
-  "design.length-unit.hint": "Unit of every length. It is a label: the numbers stay.",
+  "design.length-unit.hint": "Unit of every length",
   "design.speed-unit": "Unit of speed",
 
   "follower.translating-roller": "Translating roller",

@@ -53,7 +53,6 @@ export const es = {
   "edit.file": "apertura de un archivo",
   "edit.cure": "corrección",
   "edit.rotation": "sentido de giro",
-  "edit.unit": "unidad",
   "edit.law": "ley del tramo {number}",
   "edit.insert": "tramo insertado",
   "edit.duplicate": "tramo duplicado",
@@ -76,7 +75,7 @@ export const es = {
   "rotation.counterclockwise": "Antihorario",
   "rotation.clockwise": "Horario",
   "design.length-unit": "Unidad",
-  "design.length-unit.hint": "Unidad de todas las longitudes. Es un rótulo: los números no cambian.",
+  "design.length-unit.hint": "Unidad de todas las longitudes",
   "design.speed-unit": "Unidad de la velocidad",
 
   "follower.translating-roller": "De traslación con rodillo",

@@ -6,6 +6,7 @@
 mod analyze;
 mod check;
 mod compare;
+mod convert;
 mod export;
 mod failure;
 mod input;
@@ -70,6 +71,8 @@ enum Command {
     Solve(solve::Options),
     /// Writes a file for another program: a table, a drawing or a solid.
     Export(export::Options),
+    /// Writes the design file of the same cam in another unit.
+    Convert(convert::Options),
     /// Writes the share link of a design, the part after `#`.
     Link {
         /// Design file.
@@ -124,6 +127,7 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
         Command::Compare { files } => compare::designs(&files, language)?,
         Command::Tournament { file, by } => compare::laws(&file, by, language)?,
         Command::Solve(options) => solve::run(&options, language)?,
+        Command::Convert(options) => convert::run(&options, language)?,
         Command::Link { file } => {
             let design = input::design(&file, language)?;
             let refused = |refusal| Failure::data("link", levalab_words::too_long(language, refusal));

@@ -63,6 +63,30 @@ fn link_and_open_give_the_file_back() {
 }
 
 #[test]
+fn a_design_is_converted_and_comes_back_or_keeps_its_numbers() {
+    for (name, json) in EXAMPLES {
+        let inches = levalab(&["convert", &file_of(name), "--unit", "in", "--speed", "rpm"]);
+        assert!(inches.status.success(), "{name}: {}", text(&inches.stderr));
+        let unit = Design::from_json(json).expect(name).length_unit.symbol();
+        let back = with_input(&["convert", "-", "--unit", unit, "--speed", "rad/s"], &inches.stdout);
+        let speed = Design::from_json(json).expect(name).speed;
+        let back = Design::from_bytes(&back.stdout).expect(name);
+        assert!((back.omega() - Design::from_json(json).expect(name).omega()).abs() < 1e-12 * back.omega());
+        assert_eq!(Design { speed, ..back }.to_json(), *json, "{name}");
+    }
+    let radius = |arguments: &[&str]| {
+        let output = levalab(&[&["convert"], arguments].concat());
+        Design::from_bytes(&output.stdout)
+            .map(|design| (design.base_radius, design.length_unit.symbol()))
+            .expect("a design")
+    };
+    assert_eq!(radius(&[&file_of("9RT"), "--unit", "in"]), (35.0 / 25.4, "in"));
+    assert_eq!(radius(&[&file_of("9RT"), "--unit", "in", "--relabel"]), (35.0, "in"));
+    check_refusal(&levalab(&["convert", &file_of("9RT")]), 64, "levalab: ");
+    check_refusal(&levalab(&["convert", &file_of("9RT"), "--unit", "ft"]), 64, "levalab: ");
+}
+
+#[test]
 fn any_design_survives_the_pipeline() {
     let mut random = Random::new(7);
     for _ in 0..10 {

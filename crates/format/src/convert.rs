@@ -32,15 +32,19 @@ impl Design {
         Self { length_unit: unit, ..self.clone() }
     }
 
-    /// The same cam with its speed in another unit; as it is when one of the units is that of a cam that travels.
-    #[must_use]
-    pub fn in_speed_unit(&self, unit: SpeedUnit) -> Self {
+    /// The same cam with its speed in another unit.
+    ///
+    /// # Errors
+    /// When the cam travels, whose speed is in its unit of length, or does not.
+    pub fn in_speed_unit(&self, unit: SpeedUnit) -> Result<Self, DesignError> {
         let travels = SpeedUnit::LengthPerSecond;
-        if unit == travels || self.speed.unit == travels {
-            return self.clone();
+        if (unit == travels) != (self.speed.unit == travels) {
+            return Err(DesignError::at(["speed", "unit"], Problem::Unsuited { kind: self.kind.word() }));
         }
         let (from, to) = sizes(self.speed.unit, unit);
-        Self { speed: Speed { value: between(self.speed.value, from, to), unit }, ..self.clone() }
+        let design = Self { speed: Speed { value: between(self.speed.value, from, to), unit }, ..self.clone() };
+        design.cam()?;
+        Ok(design)
     }
 
     /// Puts a sum in order that only just passed and would miss in a smaller unit: the last segment that has a say takes what is left.

@@ -6,6 +6,7 @@
 
 mod catalogue;
 mod compare;
+mod convert;
 mod diagrams;
 mod instant;
 mod lab;

@@ -211,14 +211,14 @@ fn what_does_not_fit_the_unit_is_refused_at_its_place() {
 #[test]
 fn speeds_come_back_as_they_were() {
     let mut random = Random::new(3);
-    for _ in 0..20_000 {
+    for _ in 0..2_000 {
         let digits = random.below(15) as i32;
         let value = rounded((random.unit() * 10_f64.powi(digits)).round() / 10_f64.powi(random.below(7) as i32));
         let mut design = example("9RT").expect("9RT");
         let [from, to] = [*random.pick(&SpeedUnit::ALL), *random.pick(&SpeedUnit::ALL)];
         design.speed = crate::Speed { value, unit: from };
-        let there = design.in_speed_unit(to);
-        assert_eq!(there.in_speed_unit(from).speed, design.speed);
+        let Ok(there) = design.in_speed_unit(to) else { continue };
+        assert_eq!(there.in_speed_unit(from).expect("in range").speed, design.speed);
         assert!((there.omega() - design.omega()).abs() <= 1e-15 * design.omega());
     }
 }

@@ -1,0 +1,119 @@
+/**
+ * Another unit, asked plainly: the same cam in other numbers, or the same numbers of another cam. Loaded when a unit is first changed.
+ *
+ * @import { Design, ShellContext } from "./types.d.ts"
+ */
+import { h } from "./dom.js";
+import { addStrings } from "./strings/index.js";
+import { unitsEn } from "./strings/units.en.js";
+import { unitsEs } from "./strings/units.es.js";
+
+addStrings({ en: unitsEn, es: unitsEs });
+
+/** Closes the question that is open. */
+let close = () => {};
+
+/**
+ * The unit that a menu shows, and the value that tells what a change does to it.
+ * @param {Readonly<Design>} design
+ * @param {boolean} speed
+ */
+function told({ speed: { value: rate, unit }, length_unit, cam }, speed) {
+  return speed ? { value: rate, unit } : { value: cam.base_radius ?? cam.length ?? 1, unit: length_unit };
+}
+
+/**
+ * @param {Design} draft
+ * @param {string} unit
+ * @param {boolean} speed
+ */
+function relabel(draft, unit, speed) {
+  if (speed) draft.speed.unit = unit;
+  else {
+    draft.length_unit = unit;
+    if (draft.cam.kind === "translating") draft.speed.unit = `${unit}/s`;
+  }
+}
+
+/**
+ * Asks below the fields what the unit just chosen in `select` is to do.
+ * @param {ShellContext} context
+ * @param {HTMLSelectElement} select
+ * @param {HTMLElement} place  the line that the question follows
+ */
+export async function ask(context, select, place) {
+  const { store, t, format, announce, whole } = context;
+  close();
+  select.dataset["asking"] = "";
+  const speed = select.id === "field-speed-unit";
+  const { design } = store.state;
+  const before = told(design, speed);
+  const to = select.value;
+
+  const root = h("div", { class: "fixes unit-question", role: "group" });
+  const unsubscribe = store.subscribe(["design", "language"], done);
+  const listening = new AbortController();
+
+  function done() {
+    unsubscribe();
+    listening.abort();
+    root.remove();
+    delete select.dataset["asking"];
+    select.value = told(store.state.design, speed).unit;
+    close = () => {};
+  }
+
+  /** @param {() => void} act */
+  const answer = (act) => () => {
+    act();
+    done();
+    select.focus();
+  };
+  const keep = answer(() => {});
+
+  /** @param {Event} event */
+  function escape(event) {
+    if (!(event instanceof KeyboardEvent) || event.key !== "Escape") return;
+    event.stopPropagation();
+    keep();
+  }
+
+  close = done;
+  if (before.unit === to) return done();
+
+  const module = await whole();
+  if (close !== done) return;
+  const read = module.in_unit(design, to, store.state.language);
+  /** @param {{ value: number, unit: string }} quantity */
+  const write = ({ value, unit }) => format.quantity(value, { trim: true, unit });
+  const question = t("unit.question", { from: before.unit, to });
+  const id = `${select.id}-question`;
+
+  /**
+   * @param {string} text
+   * @param {() => void} act
+   */
+  const button = (text, act) => h("button", { type: "button", onclick: answer(act) }, text);
+  const { design: converted, error } = read;
+  const convert = converted
+    ? button(t(speed ? "unit.convert.speed" : "unit.convert.cam", { before: write(before), after: write(told(converted, speed)) }), () =>
+        store.edit(t("edit.convert", { unit: to }), (draft) => void Object.assign(draft, converted)),
+      )
+    : h("p", { class: "error" }, t("unit.refused", { reason: error?.message ?? "" }));
+  const label = h("span", { id }, question);
+  label.style.flexBasis = "100%";
+  root.style.paddingBlock = "var(--space-1) var(--space-2)";
+  root.append(
+    label,
+    convert,
+    button(t("unit.relabel", { before: write(before), after: write({ ...before, unit: to }) }), () =>
+      store.edit(t("edit.relabel", { unit: to }), (draft) => relabel(draft, to, speed)),
+    ),
+    h("button", { type: "button", class: "quiet", onclick: keep }, t("unit.cancel", { unit: before.unit })),
+  );
+  root.setAttribute("aria-labelledby", id);
+  for (const part of [root, select]) part.addEventListener("keydown", escape, { signal: listening.signal });
+  place.after(root);
+  root.scrollIntoView({ block: "nearest" });
+  announce([question, ...[...root.querySelectorAll("button, p")].map((part) => part.textContent)].join(" "));
+}
