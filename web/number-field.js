@@ -13,8 +13,9 @@ let sessions = 0;
 /** Characters of what was typed that a complaint repeats. */
 const REPEATED = 24;
 
-/** Figures of a number at rest; in use it shows all it has. */
+/** Figures of a number at rest, fewer where they would not fit; in use it shows all it has. */
 const AT_REST = 7;
+const FEWEST = 3;
 
 /**
  * @typedef {object} Options
@@ -28,13 +29,14 @@ const AT_REST = 7;
  * @property {(design: Readonly<Design>) => number} step
  * @property {() => string} path        where the engine's errors point
  * @property {() => import("./types.d.ts").Highlight} highlight
+ * @property {number} [room]            characters that there is room for
  */
 
 /**
  * @param {ShellContext} context
  * @param {Options} options
  */
-export function createNumberField({ store, t }, { id, name, label, unit, read, write, clear, step, path, highlight }) {
+export function createNumberField({ store, t }, { id, name, label, unit, read, write, clear, step, path, highlight, room = 8 }) {
   const errorId = `${id}-error`;
   const input = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", class: "number" });
   const unitNode = h("span", { class: "unit", id: `${id}-unit` });
@@ -61,8 +63,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   /** @param {number} value */
   function show(value) {
     shown = value;
-    const exact = focused() ? value : Number(value.toPrecision(AT_REST));
-    const text = fieldText(exact, store.state.language);
+    const text = fieldText(focused() ? value : atRest(value, room), store.state.language);
     if (input.value !== text) input.value = text;
   }
 
@@ -220,6 +221,18 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 }
 
 /** @typedef {ReturnType<typeof createNumberField>} NumberField */
+
+/**
+ * @param {number} value
+ * @param {number} room
+ */
+function atRest(value, room) {
+  for (let figures = AT_REST; ; figures--) {
+    const shown = Number(value.toPrecision(figures));
+    const text = String(shown);
+    if (figures === FEWEST || text.length <= room || !text.includes(".")) return shown;
+  }
+}
 
 /** @param {string} text */
 function abridged(text) {

@@ -55,6 +55,7 @@ export function createSegmentRow(context, actions) {
     step: (design) => (design.cam.kind === "translating" ? lengthStep(design) : 1),
     path: () => `segments[${index}].beta`,
     highlight: () => ({ segment: index }),
+    room: 5,
   });
   const rise = createNumberField(context, {
     id: `${id}-rise`,
@@ -65,6 +66,7 @@ export function createSegmentRow(context, actions) {
     step: (design) => (design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
     path: () => `segments[${index}].rise`,
     highlight: () => ({ segment: index }),
+    room: 6,
   });
   const line = h("div", { class: "line" }, grip, thumbnail.root, lawSelect, beta.input, rise.input, more);
   const root = h("li", { class: "segment" }, line, parameters, beta.error, rise.error, problem);

@@ -134,9 +134,10 @@ fn every_figure_scales_with_the_unit_and_angles_stay() {
 fn with_formula(design: &Design, text: &str) -> Design {
     let rise = if text.contains('L') { 12.5 } else { 0.0 };
     let law = Law::by_id("formula").expect("formula");
+    let parameters = law.default_parameters();
     let beta = design.kind.whole();
     let data = Data::Expression(text.to_owned());
-    Design { segments: vec![SegmentDesign { law, beta, rise, parameters: [0.0; 2], data }], ..design.clone() }
+    Design { segments: vec![SegmentDesign { law, beta, rise, parameters, data }], ..design.clone() }
 }
 
 fn formula_of(design: &Design) -> &str {

@@ -42,14 +42,14 @@ La interrogación junto a una magnitud la explica; {help.tour}, en {header.help}
         text: two(
             "{design.follower}: six drawings, one for each follower. A change keeps every number that makes sense in the new one.
 
-{design.geometry}: the drawing shows what each field measures; click a dimension to go to its field. Type with decimal point or comma, use the arrow keys, or drag sideways on the symbol. {design.rotation} is the sense in which the cam turns, {design.length-unit} the label of all lengths.
+{design.geometry}: the drawing shows what each field measures; click a dimension to go to its field. Type with decimal point or comma, use the arrow keys, or drag sideways on the symbol. {design.rotation} is the sense in which the cam turns, {design.length-unit} the unit of all lengths. Another unit asks whether the cam is to stay the same, its numbers converted, or the numbers, of another cam; a design that is converted back is as it was.
 
 {design.program}: each row is a segment, with its law, its angle $β$ and its rise $L$. The number at the left is a handle to move it, and ⋯ holds {action.insert-before}, {action.insert-after}, {action.duplicate}, {action.up}, {action.down} and {action.delete}. {segments.add} adds one at the end. Below, the panel tells what is missing for 360° and for closing the height, and offers {segments.fill}, {segments.fill.return}, {segments.stretch} or {segments.spread}.
 
 A number that cannot be is explained beside its field; the last good cam stays on screen, dimmed.",
             "{design.follower}: seis dibujos, uno por seguidor. Al cambiar se conservan todos los números que tienen sentido en el nuevo.
 
-{design.geometry}: el dibujo muestra qué mide cada campo; al pulsar una cota se va a su campo. Se escribe con coma o punto decimal, con las flechas, o arrastrando el símbolo hacia los lados. {design.rotation} es el sentido en que gira la leva y {design.length-unit} el rótulo de todas las longitudes.
+{design.geometry}: el dibujo muestra qué mide cada campo; al pulsar una cota se va a su campo. Se escribe con coma o punto decimal, con las flechas, o arrastrando el símbolo hacia los lados. {design.rotation} es el sentido en que gira la leva y {design.length-unit} la unidad de todas las longitudes. Al cambiarla se pregunta qué debe quedar igual: la leva, con sus números convertidos, o los números, que serán de otra leva; un diseño que se convierte de vuelta queda como estaba.
 
 {design.program}: cada fila es un tramo, con su ley, su ángulo $β$ y su elevación $L$. El número de la izquierda es un asidero para moverlo, y ⋯ contiene {action.insert-before}, {action.insert-after}, {action.duplicate}, {action.up}, {action.down} y {action.delete}. {segments.add} añade uno al final. Debajo, el panel dice lo que falta para 360° y para cerrar la altura, y ofrece {segments.fill}, {segments.fill.return}, {segments.stretch} o {segments.spread}.
 
