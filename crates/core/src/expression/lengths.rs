@@ -87,6 +87,6 @@ mod tests {
     fn names_of_lengths_are_found_where_they_stand() {
         assert_eq!(Expression::lengths("2L + s₀ x", false), Ok(vec![1..2, 5..7]));
         assert_eq!(Expression::lengths("theta Lx", true), Ok(vec![0..5, 6..7]));
-        assert_eq!(Expression::lengths("theta 2x", false), Ok(Vec::new()));
+        assert_eq!(Expression::lengths("theta·x", false), Ok(Vec::new()));
     }
 }
