@@ -2,8 +2,12 @@
 
 mod formula;
 
+use crate::application::TargetsBy;
 use crate::decimal::Decimal;
-use crate::{CamKind, Conjugate, Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed, SpeedUnit};
+use crate::{
+    ApplicationDesign, CamKind, Conjugate, Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed, SpeedUnit,
+};
+use levalab_core::application::Magnitude;
 use levalab_core::law::{Condition, Data};
 use levalab_core::nearest::nearest;
 use levalab_core::{Parameter, Quantity, Tie};
@@ -12,7 +16,7 @@ use std::f64::consts::TAU;
 impl Design {
     /// The same cam with its lengths in another unit: other numbers, the same piece of steel.
     ///
-    /// Numbers of up to fifteen digits come back as they were when the design is converted back.
+    /// Numbers of up to fourteen digits come back as they were when the design is converted back.
     ///
     /// # Errors
     /// When a length is beyond what a design may hold in that unit, or a formula becomes too long.
@@ -107,8 +111,21 @@ impl Change {
                 },
                 radius: radius.map(length),
             }),
+            application: design.application.as_ref().map(|application| self.application(application)),
             ..design.clone()
         }
+    }
+
+    fn application(&self, design: &ApplicationDesign) -> ApplicationDesign {
+        let mut after = design.clone();
+        for (value, setting) in after.values.iter_mut().zip(design.application.parameters) {
+            *value = self.magnitude(setting.magnitude, *value);
+        }
+        for [at, value] in &mut after.targets {
+            *at = if design.by == TargetsBy::Theta { self.place(*at) } else { *at };
+            *value = self.magnitude(design.main().magnitude, *value);
+        }
+        after
     }
 
     fn segment(&self, segment: &SegmentDesign, oscillating: bool) -> SegmentDesign {
@@ -154,6 +171,26 @@ impl Change {
         }
     }
 
+    /// A value in the unit that a magnitude has beside lengths in a unit.
+    fn magnitude(&self, magnitude: Magnitude, value: f64) -> f64 {
+        let (lengths, forces) = match magnitude {
+            Magnitude::Angle => return value,
+            Magnitude::Length => (1, 0),
+            Magnitude::Area => (2, 0),
+            Magnitude::Volume | Magnitude::Flow => (3, 0),
+            Magnitude::Force => (0, 1),
+            Magnitude::Stiffness => (-1, 1),
+            Magnitude::Pressure => (-2, 1),
+            Magnitude::PressurePerVolume => (-5, 1),
+        };
+        let size = |unit: LengthUnit, other: LengthUnit| {
+            // Lengths that divide are the other unit's multiplied, so that powers stay whole numbers.
+            let of = if lengths < 0 { other } else { unit };
+            tenths_of_millimetres(of).powi(i32::abs(lengths)) * newtons(unit).powi(forces)
+        };
+        between(value, size(self.from, self.to), size(self.to, self.from))
+    }
+
     /// A value measured in some power of the unit of length.
     fn power(&self, value: f64, power: i32) -> f64 {
         let size = |unit: LengthUnit| tenths_of_millimetres(unit).powi(power.abs());
@@ -172,6 +209,11 @@ fn tenths_of_millimetres(unit: LengthUnit) -> f64 {
     }
 }
 
+/// The unit of force beside a unit of length: pounds-force beside inches.
+fn newtons(unit: LengthUnit) -> f64 {
+    if unit == LengthUnit::Inch { 4.448_221_615_260_5 } else { 1.0 }
+}
+
 /// How the sizes of two units of speed are to each other, each as a number that is not rounded more than once.
 fn sizes(from: SpeedUnit, to: SpeedUnit) -> (f64, f64) {
     use SpeedUnit::{RadiansPerSecond, RevolutionsPerMinute, RevolutionsPerSecond};
@@ -188,26 +230,26 @@ fn sizes(from: SpeedUnit, to: SpeedUnit) -> (f64, f64) {
 
 /// What is `value` units of size `from`, in units of size `to`.
 ///
-/// Where a number of at most fifteen digits is what a conversion the other way would have made `value` of, it is that number: so a
+/// Where a number of few digits is what a conversion the other way would have made `value` of, it is that number: so a
 /// design comes back as it was typed.
 fn between(value: f64, from: f64, to: f64) -> f64 {
     if from == to {
         return value;
     }
     let plain = value * from / to;
-    let short = rounded(plain);
-    if short * to / from == value { short } else { plain }
+    let short = DIGITS.map(|digits| rounded(plain, digits));
+    short.into_iter().find(|short| short * to / from == value).unwrap_or(plain)
 }
 
-/// Digits that any decimal keeps in an `f64`.
-const DIGITS: usize = 15;
+/// Digits that any decimal keeps in an `f64`, and one less, which makes up for the rounding of units that are products.
+const DIGITS: [usize; 2] = [14, 15];
 
-/// The nearest number of fifteen digits.
-fn rounded(value: f64) -> f64 {
-    let text = format!("{:.*e}", DIGITS - 1, value.abs());
-    let size = text.split_once('e').and_then(|(digits, exponent)| {
+/// The nearest number of so many digits.
+fn rounded(value: f64, digits: usize) -> f64 {
+    let text = format!("{:.*e}", digits - 1, value.abs());
+    let size = text.split_once('e').and_then(|(mantissa, exponent)| {
         let exponent: i32 = exponent.parse().ok()?;
-        Some(nearest(&digits.replace('.', ""), exponent + 1 - DIGITS as i32))
+        Some(nearest(&mantissa.replace('.', ""), exponent + 1 - digits as i32))
     });
     size.map_or(value, |size| size.copysign(value) + 0.0)
 }
