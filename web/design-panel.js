@@ -23,7 +23,9 @@ export function mount(root, context) {
   const kind = createKindChoice(context, texts);
   const segments = createSegments(context, texts);
   root.setAttribute("aria-labelledby", heading.id);
-  root.append(heading, kind.line, follower.root, geometry.root, kind.root, segments.root);
+  const application = texts.text(h("button", { type: "button", class: "quiet", id: "application-button", "aria-expanded": "false" }), "design.application");
+  application.addEventListener("click", async () => (await import("./application/index.js")).open(context, application));
+  root.append(heading, kind.line, follower.root, geometry.root, kind.root, segments.root, application);
 
   function update() {
     follower.update();

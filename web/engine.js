@@ -1,7 +1,7 @@
 /**
  * The calculation: WebAssembly loaded once, and started again from the kept module should it ever panic.
  *
- * @import { Catalogue, Design, Lab, Language, Opened, Read, Room, TieKey } from "./types.d.ts"
+ * @import { ApplicationEntry, Catalogue, Design, Driven, Lab, Language, Opened, Read, Room, TieKey } from "./types.d.ts"
  */
 import { compile, glue } from "./module.js";
 
@@ -22,6 +22,8 @@ const RESTART_WINDOW = 10_000;
  * @property {(design: unknown, language: Language) => Read} read_design
  * @property {(design: unknown, key: TieKey) => Room | null} room_for_second
  * @property {(design: Readonly<Design>, unit: string, language: Language) => Read} in_unit
+ * @property {(unit: string, language: Language) => ApplicationEntry[]} applications
+ * @property {{ of: (design: Design) => Driven | undefined }} Driven
  */
 
 /**

@@ -8,6 +8,7 @@ import { clean } from "./clean.js";
 import { h } from "./dom.js";
 import { setBeta } from "./free-data.js";
 import { fieldText, parseNumber } from "./numbers.js";
+import { pastedPoints } from "./pasted.js";
 
 /** Lines of a table that are seen at once. */
 const LINES = 6;
@@ -53,27 +54,12 @@ const TABLE = {
   long: true,
   write: ({ points }, language) => (points ?? []).map((point) => point.map((value) => fieldText(value, language)).join("\t")).join("\n"),
   read(text, t) {
-    /** @type {[number, number][]} */
-    const points = [];
-    for (const [index, line] of text.split(/\r?\n/).entries()) {
-      if (line.trim() === "") continue;
-      const numbers = columns(line).map((word) => parseNumber(word, "°").value);
-      const [at, s] = numbers;
-      if (numbers.length === 2 && at !== undefined && s !== undefined) points.push([at, s]);
-      // What heads a column is no point.
-      else if (points.length > 0 || /^[\s\d.,;+−-]*$/.test(line)) return { problem: t("table.unreadable", { line: index + 1 }) };
-    }
+    const { points, line } = pastedPoints(text);
+    if (!points) return { problem: t("table.unreadable", { line }) };
     const first = points[0]?.[0] ?? 0;
     return { data: points.map(([at, s]) => [clean(at - first), s]) };
   },
 };
-
-/** The columns of a line of a spreadsheet or a CSV file. @param {string} line */
-function columns(line) {
-  const cells = line.trim().split(/\s*[\t;]\s*|\s+/).filter(Boolean);
-  // Commas part the columns where nothing else does: "12.5,3.25".
-  return cells.length === 1 && cells[0] !== undefined ? cells[0].split(",") : cells.map((cell) => cell.replace(/,$/, ""));
-}
 
 /**
  * @param {Kind} kind

@@ -124,6 +124,63 @@ export interface ApplicationDesign {
   [parameter: string]: string | number | [number, number][] | undefined;
 }
 
+/** A parameter, an output or a figure of an application. */
+export interface ApplicationMagnitude {
+  id: string;
+  symbol: string;
+  name: string;
+  unit: string;
+  /** The usual value of a parameter, the value of a figure. */
+  value: number | null;
+}
+
+/** An application as a menu offers it. */
+export interface ApplicationEntry {
+  id: string;
+  title: string;
+  parameters: ApplicationMagnitude[];
+  outputs: ApplicationMagnitude[];
+}
+
+export interface ApplicationOutput extends Range {
+  id: string;
+  symbol: string;
+  name: string;
+  unit: string;
+  min: number;
+  max: number;
+  /** What a cycle delivers, of an output that works by strokes. */
+  per_cycle: number | null;
+  per_second: number | null;
+}
+
+/** A point to hit, and what is there. */
+export interface ApplicationTarget {
+  theta: number;
+  time: number;
+  value: number;
+  found: number;
+  error: number;
+}
+
+export interface ApplicationReport {
+  /** Which output the targets are of. */
+  main: number;
+  outputs: ApplicationOutput[];
+  figures: ApplicationMagnitude[];
+  targets: ApplicationTarget[];
+}
+
+/** A design's application at work. */
+export interface Driven {
+  report(language: Language): ApplicationReport;
+  /** Every output at a place of the cursor. */
+  at(place: number): Float64Array;
+  draw(canvas: HTMLCanvasElement, output: number, style: ChartStyle): PlotArea;
+  svg(output: number, style: ChartStyle): string;
+  free(): void;
+}
+
 export interface CamDesign {
   kind: KindId;
   rotation?: Rotation;
@@ -167,6 +224,7 @@ export interface ChartStyle {
   /** Shows the ends of a face that is so much longer at each end than the contact needs. */
   margin?: number;
   stroke: number;
+  /** Derivatives by time; of an application, drawn against time. */
   per_second: boolean;
   x_labels: boolean;
   decimal_comma: boolean;

@@ -70,6 +70,7 @@ export const en = {
   "pair.add": "+ Second cam",
   "design.follower": "Follower",
   "design.geometry": "Geometry and speed",
+  "design.application": "Application…",
   "design.program": "Motion program",
   "design.rotation": "Rotation",
   "rotation.counterclockwise": "Counter-clockwise",

@@ -70,6 +70,7 @@ export const es = {
   "pair.add": "+ Segunda leva",
   "design.follower": "Seguidor",
   "design.geometry": "Geometría y velocidad",
+  "design.application": "Aplicación…",
   "design.program": "Programa de movimiento",
   "design.rotation": "Giro",
   "rotation.counterclockwise": "Antihorario",

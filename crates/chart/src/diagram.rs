@@ -3,7 +3,9 @@
 use crate::gather::{gather, place};
 use crate::radius;
 use crate::{Quantity, Timing};
+use levalab_core::application::{ApplicationValues, Output, OutputLaw};
 use levalab_core::{Analysis, Cam};
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// A quantity whose greatest value is this small beside the motion's own scale is zero, and what is left is rounding.
@@ -31,6 +33,8 @@ pub struct Diagram {
     pub(crate) limits: Vec<f64>,
     /// Ranges of values beyond the limits.
     pub(crate) forbidden: Vec<(f64, f64)>,
+    /// Points to hit.
+    pub(crate) targets: Vec<Point>,
     /// Places worth a dot.
     pub(crate) extremes: Vec<Point>,
     pub(crate) extent: Extent,
@@ -113,6 +117,44 @@ impl Diagram {
         Some(Self { beside: diagrams, ..front })
     }
 
+    /// An output of an application at ω, in the units of the design, with the points that it is to hit: place (as drawn) and value.
+    #[must_use]
+    pub fn of_output(
+        output: &Output,
+        values: &ApplicationValues,
+        cam: &Cam,
+        analysis: &Analysis,
+        omega: f64,
+        targets: &[(f64, f64)],
+    ) -> Self {
+        let (quantity, rate, of) = match output.law {
+            OutputLaw::OfDisplacement(of) => (Quantity::S, 1.0, of),
+            OutputLaw::OfVelocity(of) => (Quantity::V, omega, of),
+        };
+        let shown = |value: f64| of(values, value * rate);
+        let mut diagram = gather(quantity, cam, analysis, &shown);
+        diagram.targets = targets.to_vec();
+        diagram.measure();
+        diagram.allow_for_nothing(0.0);
+        diagram.note_extremes(cam, analysis, &shown);
+        diagram
+    }
+
+    /// The same against time, in seconds, for a cam that turns (or travels) at ω.
+    #[must_use]
+    pub fn against_time(mut self, omega: f64) -> Self {
+        let whole = self.travel.unwrap_or(TAU);
+        let unit = self.travel.map_or(1_f64.to_radians(), |_| 1.0) / omega;
+        let places = self.points.iter_mut().chain(&mut self.extremes).chain(&mut self.targets);
+        places.for_each(|point| point.0 *= unit);
+        self.borders
+            .iter_mut()
+            .chain(self.jumps.iter_mut().map(|jump| &mut jump.theta))
+            .for_each(|place| *place *= unit);
+        self.travel = Some(whole / omega);
+        self
+    }
+
     /// Shows the ends of a face that is longer by `margin` at each end than the contact needs, and what lies beyond them.
     #[must_use]
     pub fn with_face(mut self, analysis: &Analysis, margin: f64) -> Self {
@@ -127,7 +169,8 @@ impl Diagram {
 
     fn whole(quantity: Quantity, cam: &Cam, analysis: &Analysis, timing: Timing) -> Self {
         let factor = quantity.factor(cam, timing);
-        let mut diagram = gather(quantity, cam, analysis, factor);
+        let shown = |value: f64| value * factor;
+        let mut diagram = gather(quantity, cam, analysis, &shown);
         match quantity {
             Quantity::Rho => radius::finish(&mut diagram, cam, analysis),
             Quantity::PressureAngle => diagram.limit_angle(cam.follower.pressure_angle_limit().to_degrees()),
@@ -136,7 +179,7 @@ impl Diagram {
         if quantity != Quantity::Rho {
             let size = analysis.summary.s.greatest_size().0 * factor;
             diagram.allow_for_nothing(size);
-            diagram.note_extremes(cam, analysis, factor);
+            diagram.note_extremes(cam, analysis, &shown);
         }
         diagram
     }
@@ -154,10 +197,10 @@ impl Diagram {
         }
     }
 
-    /// The extent of the data and zero.
+    /// The extent of the data, of the points to hit and zero.
     fn measure(&mut self) {
-        let (low, high) =
-            self.points.iter().fold((0.0_f64, 0.0_f64), |(low, high), &(_, value)| (low.min(value), high.max(value)));
+        let all = self.points.iter().chain(&self.targets);
+        let (low, high) = all.fold((0.0_f64, 0.0_f64), |(low, high), &(_, value)| (low.min(value), high.max(value)));
         self.extent = Extent { low, high, cut: false, empty: false };
     }
 
@@ -179,7 +222,7 @@ impl Diagram {
         }
     }
 
-    fn note_extremes(&mut self, cam: &Cam, analysis: &Analysis, factor: f64) {
+    fn note_extremes(&mut self, cam: &Cam, analysis: &Analysis, shown: &dyn Fn(f64) -> f64) {
         let summary = &analysis.summary;
         let found = match self.quantity {
             Quantity::S => summary.s,
@@ -194,11 +237,11 @@ impl Diagram {
             },
         };
         let significant = NOTHING * (self.extent.high - self.extent.low);
-        if self.extent.empty || (found.max - found.min) * factor <= significant {
+        if self.extent.empty || shown(found.max) - shown(found.min) <= significant {
             return;
         }
         let places = [(found.max_at, found.max), (found.min_at, found.min)];
-        let places = places.map(|(theta, value)| (place(cam, theta), value * factor));
+        let places = places.map(|(theta, value)| (place(cam, theta), shown(value)));
         self.extremes = places.into_iter().filter(|&(_, value)| value.abs() > significant).collect();
     }
 }

@@ -50,6 +50,9 @@ pub struct PlotArea {
     pub y_max: f64,
 }
 
+/// Units beyond which a value of another cam may lie out of the plot without it mattering where: sums of two such places are whole numbers still.
+const FAR: f64 = (1 << 28) as f64;
+
 /// The drawing measured in units, which are [`SUBPIXELS`] to a device pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
@@ -114,7 +117,7 @@ impl Frame {
 
     pub fn y(&self, value: f64) -> i32 {
         let part = (self.high - value) / (self.high - self.low);
-        (f64::from(self.top) + f64::from(self.bottom - self.top) * part).round() as i32
+        (f64::from(self.top) + f64::from(self.bottom - self.top) * part).clamp(-FAR, FAR).round() as i32
     }
 
     pub fn at(&self, (theta, value): Point) -> At {

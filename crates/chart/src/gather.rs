@@ -14,7 +14,9 @@ const LEAST_PARTS: usize = 12;
 const SNAP: f64 = 1e-11;
 
 /// Rows of the analysis and both limits at every joint; a new run wherever they differ.
-pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor: f64) -> Diagram {
+///
+/// `shown` makes what is drawn of a value of the core.
+pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, shown: &dyn Fn(f64) -> f64) -> Diagram {
     let rows = analysis.column(Column::Theta).unwrap_or_default();
     let values = analysis.column(quantity.column()).filter(|_| quantity.applies(cam));
     let stretches = cam.program.stretches();
@@ -28,11 +30,12 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor:
         limits: Vec::new(),
         forbidden: Vec::new(),
         extremes: Vec::new(),
+        targets: Vec::new(),
         extent: Extent { low: 0.0, high: 0.0, cut: false, empty: false },
         radius: (!cam.follower.is_flat()).then(|| cam.follower.disc_radius()),
         beside: Vec::new(),
     };
-    let value = |stretch: &Stretch, theta: f64| quantity.of(cam, stretch.at(theta)) * factor;
+    let value = |stretch: &Stretch, theta: f64| shown(quantity.of(cam, stretch.at(theta)));
     let mut start = 0;
     let mut row = 0;
     for (k, stretch) in stretches.iter().enumerate() {
@@ -55,7 +58,7 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, factor:
             // Two ends are a straight line.
         } else if after - row + 1 >= LEAST_PARTS {
             let inside = row..after;
-            let value = |k: usize| values.map_or_else(|| value(stretch, rows[k]), |values| values[k] * factor);
+            let value = |k: usize| values.map_or_else(|| value(stretch, rows[k]), |values| shown(values[k]));
             diagram.points.extend(inside.map(|k| (place(cam, rows[k]), value(k))));
         } else {
             let part = (stretch.to - stretch.from) / LEAST_PARTS as f64;

@@ -63,6 +63,7 @@ pub(crate) fn lay_out(diagram: &Diagram, style: &Style) -> (Frame, Sketch) {
         trace::arrows(&mut sketch, curve, &frame, style, colour);
     }
     trace::marks(&mut sketch, diagram, &frame, style);
+    trace::targets(&mut sketch, diagram, &frame, style);
     let mut space = Space::new(diagram, &frame, style, &runs);
     axes::label_values(&mut sketch, &frame, style, ticks, &mut space);
     extremes::draw(&mut sketch, diagram, &frame, style, ticks, &mut space);

@@ -76,6 +76,17 @@ pub(crate) fn marks(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style
     }
 }
 
+/// Radius of a ring about a point to hit, in widths of the curve.
+const TARGET: f64 = 3.4;
+
+/// Draws a ring about each point to hit: open, so that the curve is seen to pass through it or beside it.
+pub(crate) fn targets(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
+    let radius = frame.css(TARGET * style.stroke);
+    let (width, colour) = (frame.css(style.stroke).max(frame.thin()), style.ink.to_rgba());
+    let ring = |target: &(f64, f64)| Mark::Ring { centre: frame.at(*target), radius, width, colour };
+    sketch.marks.extend(diagram.targets.iter().map(ring));
+}
+
 /// Degrees: a jump this near to 0° or 360° is the one where the turn closes.
 const EDGE_OF_TURN: f64 = 1e-9;
 

@@ -4,6 +4,7 @@
 mod support;
 
 use levalab_chart::{Diagram, Quantity, Style, Timing, colour, svg};
+use levalab_core::application::Application;
 use levalab_core::{Analysis, Cam, Rotation};
 use std::f64::consts::{PI, TAU};
 use std::fs;
@@ -201,6 +202,16 @@ fn contact_on_a_face_with_its_ends() {
     let analysis = Analysis::of(&cam, STEPS);
     let diagram = Diagram::of(Quantity::Contact, &cam, &analysis, Timing::PerRadian).with_face(&analysis, 2.0);
     check("flat-contact", &diagram, &Style { x_labels: true, height: 220.0, ..style("#00735a", &[9.0, 3.0]) });
+}
+
+#[test]
+fn an_output_with_the_points_that_it_hits_and_misses() {
+    let cam = nine_rt();
+    let analysis = Analysis::of(&cam, STEPS);
+    let pump = Application::by_id("pump").expect("a pump");
+    let targets = [(50.0, 2827.43), (140.0, 900.0), (250.0, 0.0)];
+    let diagram = Diagram::of_output(&pump.outputs[0], &[9.487, 0.0], &cam, &analysis, 1.0, &targets);
+    check("9RT-pump", &diagram, &Style { x_labels: true, height: 220.0, ..style("#006d77", &[]) });
 }
 
 #[test]

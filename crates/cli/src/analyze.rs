@@ -40,6 +40,8 @@ struct OutputRange {
     range: report::Range,
     #[serde(skip_serializing_if = "Option::is_none")]
     per_cycle: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    per_second: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -144,7 +146,10 @@ fn applied(design: &Design, cam: &Cam, set: &ApplicationDesign, samples: usize) 
     let values = set.application.outputs.iter().map(|output| (output.id, set.column(design, &analysis, output)));
     let range = |found: levalab_format::OutputRange| {
         let unit = design.length_unit.unit_of(found.output.magnitude);
-        (found.output.id, OutputRange { unit, range: found.range, per_cycle: found.per_cycle })
+        (
+            found.output.id,
+            OutputRange { unit, range: found.range, per_cycle: found.per_cycle, per_second: found.per_second },
+        )
     };
     let hit = |Target { theta, time, value, found, error }| Hit { theta, time, value, found, error };
     Applied {

@@ -79,6 +79,8 @@ pub struct OutputRange {
     pub range: Range,
     /// What a cycle delivers, of an output that works by strokes.
     pub per_cycle: Option<f64>,
+    /// The same by second.
+    pub per_second: Option<f64>,
 }
 
 /// A point to hit, and what is there.
@@ -124,24 +126,23 @@ impl ApplicationDesign {
             let size = min.abs().max(max.abs());
             let [min, max] = [min, max].map(|value| significant(value, size));
             let range = Range { min, min_at: design.place(min_at), max, max_at: design.place(max_at) };
-            OutputRange { output, range, per_cycle: output.per_cycle(&values, cam) }
+            let per_cycle = output.per_cycle(&values, cam);
+            let cycle = cam.program.span() * if cam.program.is_cyclic() { 1.0 } else { 2.0 };
+            OutputRange { output, range, per_cycle, per_second: per_cycle.map(|volume| volume * omega / cycle) }
         };
-        let greatest = self
-            .main()
-            .extremes(&values, &analysis.summary, omega)
-            .iter()
-            .fold(0.0, |most: f64, end| most.max(end.0.abs()));
+        let outputs: Vec<OutputRange> = self.application.outputs.iter().map(range).collect();
+        let main = outputs[self.output.min(outputs.len() - 1)];
         let target = |&[at, value]: &[f64; 2]| {
             let theta = self.core_place(design, cam, at);
-            let found = significant(self.main().of(&values, cam.program.at(theta), omega), greatest);
+            let found = main.told(self.main().of(&values, cam.program.at(theta), omega));
             let time = if self.by == TargetsBy::Time { at } else { tidy(theta / omega) };
             let place = if self.by == TargetsBy::Theta { at } else { design.place(theta) };
             Target { theta: place, time, value, found, error: found - value + 0.0 }
         };
         Outcome {
-            outputs: self.application.outputs.iter().map(range).collect(),
             figures: self.application.figures.iter().map(|figure| (figure, (figure.of)(&values))).collect(),
             targets: self.targets.iter().map(target).collect(),
+            outputs,
         }
     }
 
@@ -169,6 +170,14 @@ impl ApplicationDesign {
                 if way > span { 2.0 * span - way } else { way }
             }
         }
+    }
+}
+
+impl OutputRange {
+    /// One of its values without the rounding that is left of a height that should be zero.
+    #[must_use]
+    pub fn told(&self, value: f64) -> f64 {
+        significant(value, self.range.min.abs().max(self.range.max.abs()))
     }
 }
 

@@ -40,27 +40,7 @@ impl Lab {
         second: Option<bool>,
     ) -> Result<JsValue, JsError> {
         let (diagram, style) = prepare(self, diagram, style, second)?;
-        let context = context_of(&canvas)?;
-        let backend =
-            CanvasBackend::with_canvas_object(canvas).ok_or_else(|| JsError::new("the canvas cannot be drawn on"))?;
-        let area = backend.into_drawing_area();
-        let scale = 1.0 / f64::from(SUBPIXELS);
-        context.save();
-        let drawn = context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0).and_then(|()| {
-            context.set_line_join("round");
-            let set_dash = |lengths: &[f64]| {
-                let lengths: js_sys::Array = lengths.iter().copied().map(JsValue::from_f64).collect();
-                // Refused only for lengths that are negative or not finite, which a style's are not.
-                let _ = context.set_line_dash(&lengths);
-            };
-            levalab_chart::draw(&area, &diagram, &style, set_dash)
-                .map_err(|error| JsValue::from_str(&error.to_string()))
-        });
-        context.restore();
-        match drawn {
-            Ok(area) => object(&PageArea::from(area)),
-            Err(error) => Err(JsError::new(&error.as_string().unwrap_or_default())),
-        }
+        paint(canvas, &diagram, &style)
     }
 
     /// The same diagram as SVG text.
@@ -78,11 +58,44 @@ impl Lab {
     }
 }
 
+/// Draws over the whole of a canvas; says where the plot is.
+pub(crate) fn paint(canvas: HtmlCanvasElement, diagram: &Diagram, style: &Style) -> Result<JsValue, JsError> {
+    let context = context_of(&canvas)?;
+    let backend =
+        CanvasBackend::with_canvas_object(canvas).ok_or_else(|| JsError::new("the canvas cannot be drawn on"))?;
+    let area = backend.into_drawing_area();
+    let scale = 1.0 / f64::from(SUBPIXELS);
+    context.save();
+    let drawn = context.set_transform(scale, 0.0, 0.0, scale, 0.0, 0.0).and_then(|()| {
+        context.set_line_join("round");
+        let set_dash = |lengths: &[f64]| {
+            let lengths: js_sys::Array = lengths.iter().copied().map(JsValue::from_f64).collect();
+            // Refused only for lengths that are negative or not finite, which a style's are not.
+            let _ = context.set_line_dash(&lengths);
+        };
+        levalab_chart::draw(&area, diagram, style, set_dash).map_err(|error| JsValue::from_str(&error.to_string()))
+    });
+    context.restore();
+    match drawn {
+        Ok(area) => object(&PageArea::from(area)),
+        Err(error) => Err(JsError::new(&error.as_string().unwrap_or_default())),
+    }
+}
+
+/// A style from the page's own, and whether it is by time.
+pub(crate) fn style_of(style: &JsValue) -> Result<(Style, bool), JsError> {
+    let wanted = PageStyle(plain::value(style));
+    let style = wanted.style().ok_or_else(|| JsError::new(NO_STYLE))?;
+    Ok((style, wanted.is("per_second")))
+}
+
+const NO_STYLE: &str = "the style lacks a number";
+
 fn prepare(lab: &Lab, diagram: &str, style: &JsValue, second: Option<bool>) -> Result<(Diagram, Style), JsError> {
     let current = lab.drawn(second)?;
     let quantity = Quantity::by_name(diagram).ok_or_else(|| JsError::new("no such diagram"))?;
     let wanted = PageStyle(plain::value(style));
-    let style = wanted.style().ok_or_else(|| JsError::new("the style lacks a number"))?;
+    let style = wanted.style().ok_or_else(|| JsError::new(NO_STYLE))?;
     let per_second = wanted.is("per_second");
     let seen = |current: &Current| {
         if per_second { Timing::PerSecond(current.design.omega()) } else { Timing::PerRadian }

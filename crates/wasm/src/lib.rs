@@ -4,6 +4,7 @@
 //! The shapes that cross are those of `web/types.d.ts`. Text that is JSON stays outside: the browser has a parser of its own, and the
 //! tables of a second one would be a fifth of this module.
 
+mod application;
 mod catalogue;
 mod compare;
 mod convert;

@@ -1,0 +1,120 @@
+/**
+ * What is driven, and its parameters with what follows from them.
+ *
+ * @import { ApplicationDesign, ApplicationEntry, ApplicationMagnitude, Design, ShellContext } from "../types.d.ts"
+ * @import { NumberField } from "../number-field.js"
+ * @import { Work } from "./work.js"
+ */
+import { h, symbol } from "../dom.js";
+import { createNumberField, lengthStep, ownStep } from "../number-field.js";
+
+/** Lengths of a new application as shares of the base radius, in round figures. @type {Record<string, number>} */
+const SHARES = { piston_radius: 0.3, seat_diameter: 0.8 };
+
+/** What has no natural size begins with this. */
+const FIRST = 10;
+
+/**
+ * @param {ShellContext} context
+ * @param {Work} work
+ */
+export function createFields(context, work) {
+  const { store, t, format } = context;
+  const kind = h("select", { id: "application-kind" });
+  const label = h("label", { for: kind.id });
+  const figures = h("p", { class: "application-figures" });
+  const rows = h("div", { class: "application-fields" }, label, kind);
+  const root = h("div", {}, rows, figures);
+  /** @type {NumberField[]} */
+  let fields = [];
+  let made = "";
+
+  kind.addEventListener("change", () => {
+    const entry = work.entries.find(({ id }) => id === kind.value);
+    store.edit(t("edit.application"), (draft) => choose(draft, entry, work.entries));
+  });
+
+  /**
+   * A field for each parameter of an entry.
+   * @param {ApplicationEntry | undefined} entry
+   */
+  function build(entry) {
+    const state = `${entry?.id} ${store.state.language} ${store.state.design.length_unit}`;
+    if (state === made) return;
+    made = state;
+    fields = (entry?.parameters ?? []).map((parameter) => field(parameter));
+    rows.replaceChildren(label, kind, ...fields.flatMap((field) => cells(field)));
+    for (const field of fields) field.speak();
+  }
+
+  /** @param {ApplicationMagnitude} parameter */
+  function field({ id: key, symbol: sign, name, unit }) {
+    const shown = h("span", {}, h("span", { class: "application-name" }, name, " "), sign.length > 1 ? h("i", { class: "symbol" }, sign) : symbol(sign));
+    return createNumberField(context, {
+      id: `application-${key}`,
+      name: () => name,
+      label: shown,
+      unit: () => unit,
+      read: ({ application }) => number(application?.[key]),
+      write: ({ application }, value) => Object.assign(application ?? {}, { [key]: value }),
+      step: (design) => (key in SHARES ? lengthStep(design) : unit === "°" ? 1 : ownStep(number(design.application?.[key]) ?? 1)),
+      path: () => `application.${key}`,
+      highlight: () => ({}),
+    });
+  }
+
+  /** @param {NumberField} field */
+  function cells({ label: name, input, unit, error }) {
+    // The name is seen already; that which is only heard would be told twice.
+    name?.querySelector(".unseen")?.remove();
+    return [name ?? h("span"), h("span"), input, unit, error];
+  }
+
+  return {
+    root,
+    update() {
+      const { application } = store.state.design;
+      label.textContent = t("application.kind");
+      kind.replaceChildren(h("option", { value: "" }, t("application.none")), ...work.entries.map(({ id, title }) => h("option", { value: id }, title)));
+      kind.value = application?.kind ?? "";
+      build(work.entries.find(({ id }) => id === application?.kind));
+      for (const field of fields) field.update(store.state);
+      const told = (work.report?.figures ?? []).map(({ symbol: sign, name, unit, value }) => h("span", {}, `${name} `, h("i", { class: "symbol" }, sign), ` = ${format.quantity(value, { unit })}`));
+      figures.replaceChildren(...told);
+      figures.hidden = told.length === 0;
+    },
+  };
+}
+
+/** @param {ApplicationDesign[string]} value */
+const number = (value) => (typeof value === "number" ? value : undefined);
+
+/**
+ * Another application; points to hit stay where the output is the same.
+ * @param {Design} draft
+ * @param {ApplicationEntry | undefined} entry
+ * @param {ApplicationEntry[]} entries
+ */
+function choose(draft, entry, entries) {
+  const old = draft.application;
+  if (!entry) {
+    delete draft.application;
+    return;
+  }
+  /** @type {ApplicationDesign} */
+  const next = { kind: entry.id };
+  for (const { id, value } of entry.parameters) next[id] = number(old?.[id]) ?? value ?? first(id, draft);
+  const before = entries.find(({ id }) => id === old?.kind)?.outputs[0]?.id;
+  if (old?.targets && before === entry.outputs[0]?.id && !old.output) {
+    next.targets = old.targets;
+    if (old.by) next.by = old.by;
+  }
+  draft.application = next;
+}
+
+/** @param {string} key @param {Design} draft */
+function first(key, draft) {
+  const share = SHARES[key];
+  const { base_radius: radius, length = 1 } = draft.cam;
+  return share === undefined ? FIRST : Number(((radius ?? length / 4) * share).toPrecision(1));
+}
