@@ -213,10 +213,13 @@ proptest! {
 fn scaled(cam: &Cam, k: f64) -> Cam {
     let follower = &cam.follower;
     let rises = if follower.kind.motion == Motion::Oscillating { 1.0 } else { k };
-    let larger = |segment: &Segment| Segment {
-        rise: segment.rise * rises,
-        data: segment.data.scaled(1.0, rises),
-        ..segment.clone()
+    let larger = |segment: &Segment| {
+        let mut larger =
+            Segment { rise: segment.rise * rises, data: segment.data.scaled(1.0, rises), ..segment.clone() };
+        for (value, parameter) in larger.parameters.iter_mut().zip(segment.law.parameters) {
+            *value *= if parameter.quantity == Quantity::Height { rises } else { 1.0 };
+        }
+        larger
     };
     let segments = cam.program.segments().iter().map(larger);
     let mut values = follower.values;
@@ -244,15 +247,17 @@ fn reversed(program: &Program) -> Program {
             _ => id.to_owned(),
         };
         let law = Law::by_id(&id).expect("halves come in pairs");
+        let turned = |c: &Condition| {
+            let sign = if c.order.is_multiple_of(2) { 1.0 } else { -1.0 };
+            Condition { at: segment.beta - c.at, order: c.order, value: sign * c.value }
+        };
         let data = match &segment.data {
             Data::None => Data::None,
-            Data::Conditions(conditions) => {
-                let turned = |c: &Condition| {
-                    let sign = if c.order.is_multiple_of(2) { 1.0 } else { -1.0 };
-                    Condition { at: segment.beta - c.at, order: c.order, value: sign * c.value }
-                };
-                Data::Conditions(conditions.iter().map(turned).collect())
-            }
+            Data::Conditions(conditions) => Data::Conditions(conditions.iter().map(turned).collect()),
+            Data::Spline { conditions, knots } => Data::Spline {
+                conditions: conditions.iter().map(turned).collect(),
+                knots: knots.iter().rev().map(|knot| segment.beta - knot).collect(),
+            },
             Data::Points(points) => Data::Points(points.iter().rev().map(|&[at, s]| [segment.beta - at, s]).collect()),
             Data::Ordinates(ordinates) => Data::Ordinates(ordinates.iter().rev().copied().collect()),
             // The one of these tests is odd about its middle.

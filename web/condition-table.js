@@ -1,14 +1,20 @@
 /**
- * The conditions of a polynomial: a row for each place, a column for each of s, v, a, j; an empty cell is free.
+ * The conditions of a polynomial or a spline: a row for each place, a column for each of s, v, a, j; an empty cell is free. A spline has its knots
+ * beneath them.
  *
- * @import { FreeEditor } from "./free-editor.js"
- * @import { Condition, Design, ShellContext, State } from "./types.d.ts"
+ * @import { FreeEditor } from "./free-parts.js"
+ * @import { Condition, Design, LawEntry, ShellContext, State } from "./types.d.ts"
  * @import { NumberField } from "./number-field.js"
  */
 import { clean } from "./clean.js";
 import { h, symbol } from "./dom.js";
+import { assemble } from "./free-parts.js";
+import { KNOTS } from "./free-text.js";
 import { mark } from "./help-mark.js";
+import { marksOf } from "./marks.js";
 import { createNumberField, lengthStep, ownStep } from "./number-field.js";
+import { fieldText } from "./numbers.js";
+import { createTextField } from "./text-field.js";
 
 const ORDERS = ["s", "v", "a", "j"];
 
@@ -32,10 +38,12 @@ const same = (a, b) => Math.abs(a - b) <= 1e-9 * Math.max(Math.abs(a), Math.abs(
 /**
  * @param {ShellContext} context
  * @param {{ id: string, index: () => number }} place
+ * @param {LawEntry} law
  * @returns {FreeEditor}
  */
-export function createConditionTable(context, { id, index }) {
+export function createConditionTable(context, { id, index }, law) {
   const { store, lab, t, format } = context;
+  const knots = law.id === "bspline" ? createTextField(context, { id, index }, KNOTS) : null;
   /** @type {Row[]} */
   let rows = [];
   let made = 0;
@@ -45,7 +53,7 @@ export function createConditionTable(context, { id, index }) {
   const add = h("button", { type: "button", class: "quiet" });
   const named = `${id}-conditions`;
   const hint = h("span", { class: "hint", id: named });
-  const root = h("div", { class: "conditions", role: "group" }, head, body, h("div", { class: "foot" }, add, hint, mark("conditions", named)));
+  const root = h("div", { class: "conditions", role: "group" }, head, body, h("div", { class: "foot" }, add, hint, mark("conditions", named)), knots?.root);
 
   /** @param {Readonly<Design>} design */
   const segmentOf = (design) => design.segments[index()];
@@ -171,12 +179,12 @@ export function createConditionTable(context, { id, index }) {
     lab().at((store.state.report.borders[index()] ?? 0) + at, out);
     const height = Number((out[0] ?? 0).toPrecision(4));
     store.edit(t("edit.condition"), (draft) => put(draft, at, 0, height));
-    update(store.state);
+    editor.update(store.state);
     rows.find((row) => row.at === at)?.cells[0]?.input.focus();
   });
 
   /** @param {Readonly<State>} state */
-  function update(state) {
+  function arrange(state) {
     const segment = segmentOf(state.design);
     if (!segment) return;
     const places = new Set(conditionsOf(state.design).map(({ at }) => at));
@@ -195,31 +203,35 @@ export function createConditionTable(context, { id, index }) {
       row.inherit.setAttribute("aria-label", label);
       row.inherit.title = label;
       row.remove.disabled = rows.length === 1;
-      for (const field of [row.place, ...row.cells]) field.update(state);
+      row.remove.title = t("conditions.remove", { at: format.number(row.at, { unit: "°" }) });
+      row.remove.setAttribute("aria-label", row.remove.title);
     }
     const count = conditionsOf(state.design).length;
-    hint.textContent = t("conditions.degree", { count, degree: count - 1 });
+    hint.textContent = knots ? t("conditions.count", { count }) : t("conditions.degree", { count, degree: count - 1 });
+    if (knots) void suggest();
   }
 
-  function speak() {
+  /** The knots that the engine took, where none are told. */
+  async function suggest() {
+    const taken = (await marksOf(context)).filter(({ kind, segment }) => kind === "knot" && segment === index());
+    const text = taken.map(({ at }) => fieldText(Number(at.toPrecision(4)), store.state.language)).join("  ");
+    if (knots && knots.input.placeholder !== text) knots.input.placeholder = text;
+  }
+
+  function word() {
     root.setAttribute("aria-label", t("conditions.title", { number: index() + 1 }));
     add.textContent = t("conditions.add");
-    for (const row of rows) {
-      row.remove.setAttribute("aria-label", t("conditions.remove", { at: format.number(row.at, { unit: "°" }) }));
-      row.remove.title = row.remove.ariaLabel ?? "";
-      for (const field of [row.place, ...row.cells]) field.speak();
-    }
-    update(store.state);
   }
 
-  speak();
-  return {
+  const editor = assemble(context, {
     root,
-    update,
-    speak,
-    reset() {
-      for (const row of rows) for (const field of [row.place, ...row.cells]) field.reset();
-    },
-    paths: () => conditionsOf(store.state.design).flatMap((_, k) => ["at", "value"].map((key) => `segments[${index()}].conditions[${k}].${key}`)),
-  };
+    fields: () => [...rows.flatMap((row) => [row.place, ...row.cells]), ...(knots ? [knots] : [])],
+    word,
+    arrange,
+    paths: () => [
+      ...conditionsOf(store.state.design).flatMap((_, k) => ["at", "value"].map((key) => `segments[${index()}].conditions[${k}].${key}`)),
+      ...(knots?.paths() ?? []),
+    ],
+  });
+  return editor;
 }

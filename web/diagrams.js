@@ -1,7 +1,7 @@
 /**
  * The diagrams: s, v, a, j on one axis, φ and ρ on their own, with the cursor that they share.
  *
- * @import { Context, Diagram, State, Tab } from "./types.d.ts"
+ * @import { Diagram, ShellContext, State, Tab } from "./types.d.ts"
  * @import { Plot } from "./stage/plots.js"
  * @import { Row } from "./stage/overlay.js"
  */
@@ -28,7 +28,7 @@ const FOOT = 1.9;
 
 /**
  * @param {HTMLElement} root
- * @param {Context} context
+ * @param {ShellContext} context
  */
 export function mount(root, context) {
   const { store, lab, t, format } = context;
@@ -59,6 +59,8 @@ export function mount(root, context) {
   let arranged = null;
   /** @type {ReturnType<typeof import("./parameters.js").createExplanation> | null} */
   let explanation = null;
+  /** @type {Promise<ReturnType<typeof import("./diagram-marks.js").createMarks>> | null} */
+  let marks = null;
   let dragging = false;
   let drawing = false;
 
@@ -161,9 +163,17 @@ export function mount(root, context) {
     rows = slots.map(({ diagram, left, top, wide, tall, labels }) => {
       const { plot, canvas } = figures[diagram];
       const area = lab().draw(canvas, diagram, styleOf(plot, palette, store.state, { width: wide, height: tall, ratio, labels }), seesSecond(store.state));
-      return { area, x: left, y: top, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
+      return { diagram, area, x: left, y: top, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
     });
     drawCursor();
+    void mark();
+  }
+
+  /** What lies over the diagram of s for curves made from data: loaded with the first of them. */
+  async function mark() {
+    if (!marks && !store.state.design.segments.some(({ points, ordinates }) => points ?? ordinates)) return;
+    marks ??= import("./diagram-marks.js").then(({ createMarks }) => createMarks(plots, context));
+    await (await marks)(seesSecond(store.state) ? undefined : rows.find(({ diagram }) => diagram === "s"));
   }
 
   function drawCursor() {

@@ -24,6 +24,7 @@ const RESTART_WINDOW = 10_000;
  * @property {(design: Readonly<Design>, unit: string, language: Language) => Read} in_unit
  * @property {(unit: string, language: Language) => ApplicationEntry[]} applications
  * @property {{ of: (design: Design) => Driven | undefined }} Driven
+ * @property {(design: unknown) => Float64Array} data_marks
  */
 
 /**

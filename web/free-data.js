@@ -37,12 +37,13 @@ export function setEnd({ beta, conditions, points, ordinates }, height) {
  * @param {number} beta
  */
 export function setBeta(segment, beta) {
-  const { beta: old, conditions, points } = segment;
+  const { beta: old, conditions, knots, points } = segment;
   /** @param {number} at */
   const along = (at) => (at === old ? beta : clean((at * beta) / old));
   segment.beta = beta;
   for (const [key, value] of Object.entries(segment)) if (PART.test(key) && typeof value === "number") segment[key] = along(value);
   for (const condition of conditions ?? []) condition.at = along(condition.at);
+  if (knots) segment.knots = knots.map(along);
   for (const point of points ?? []) point[0] = along(point[0]);
 }
 
@@ -54,6 +55,7 @@ export function setBeta(segment, beta) {
 export function scaleHeights(segment, factor) {
   for (const condition of segment.conditions ?? []) condition.value = clean(condition.value * factor);
   for (const point of segment.points ?? []) point[1] = clean(point[1] * factor);
+  if (typeof segment["smoothing"] === "number") segment["smoothing"] = clean(segment["smoothing"] * Math.abs(factor));
   if (segment.ordinates) segment.ordinates = segment.ordinates.map((height) => clean(height * factor));
 }
 

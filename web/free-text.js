@@ -1,51 +1,48 @@
 /**
- * Data of a free law that are typed or pasted as text: a formula, a table of points, a list of ordinates.
+ * Editors of free laws that are one text: a formula, the ordinates of a Bézier curve, the points of a table with what the curve leaves of them.
  *
- * @import { FreeEditor } from "./free-editor.js"
- * @import { Segment, ShellContext, State } from "./types.d.ts"
+ * @import { FreeEditor } from "./free-parts.js"
+ * @import { ShellContext, State } from "./types.d.ts"
+ * @import { Kind } from "./text-field.js"
  */
 import { clean } from "./clean.js";
-import { h } from "./dom.js";
+import { h, symbol, write } from "./dom.js";
 import { setBeta } from "./free-data.js";
+import { assemble } from "./free-parts.js";
+import { marksOf } from "./marks.js";
 import { fieldText, parseNumber } from "./numbers.js";
 import { pastedPoints } from "./pasted.js";
+import { createTextField } from "./text-field.js";
 
-/** Lines of a table that are seen at once. */
-const LINES = 6;
-
-let sessions = 0;
-
-/**
- * What a text means: data for the segment, or the sentence that says what cannot be read.
- * @typedef {{ data: unknown, problem?: undefined } | { problem: string, data?: undefined }} Meaning
- */
-
-/**
- * @typedef {object} Kind
- * @property {string} key            the field of the segment
- * @property {boolean} long          several lines
- * @property {(segment: Readonly<Segment>, language: "en" | "es") => string} write
- * @property {(text: string, t: ShellContext["t"]) => Meaning} read
- */
+/** @typedef {{ id: string, index: () => number }} Place */
 
 /** @type {Kind} */
 const FORMULA = {
   key: "expression",
-  long: false,
   write: ({ expression }) => expression ?? "",
   read: (text) => ({ data: text }),
+  adopt(segment, data, { report: { heights } }, index) {
+    // Only a formula that names L has a rise to be told.
+    if (!/L/.test(String(data))) delete segment.rise;
+    else segment.rise ??= clean((heights[index + 1] ?? 0) - (heights[index] ?? 0));
+  },
 };
 
 /** @type {Kind} */
 const ORDINATES = {
   key: "ordinates",
-  long: false,
-  write: ({ ordinates }, language) => (ordinates ?? []).map((value) => fieldText(value, language)).join("  "),
+  write: ({ ordinates }, language) => listed(ordinates, language),
   read(text, t) {
-    const numbers = text.trim().split(/[\s;]+/).filter(Boolean).map((word) => parseNumber(word));
-    if (numbers.some(({ problem }) => problem)) return { problem: t("ordinates.unreadable") };
-    return { data: numbers.map(({ value }) => value) };
+    const meaning = numbersIn(text, t);
+    return meaning.problem === undefined ? { data: meaning.data ?? [] } : meaning;
   },
+};
+
+/** Left empty, the engine takes its own. @type {Kind} */
+export const KNOTS = {
+  key: "knots",
+  write: ({ knots }, language) => listed(knots, language),
+  read: numbersIn,
 };
 
 /** @type {Kind} */
@@ -62,47 +59,51 @@ const TABLE = {
 };
 
 /**
- * @param {Kind} kind
- * @returns {(context: ShellContext, place: { id: string, index: () => number }) => FreeEditor}
+ * @param {number[] | undefined} numbers
+ * @param {"en" | "es"} language
  */
-const create = (kind) => (context, { id, index }) => {
+function listed(numbers, language) {
+  return (numbers ?? []).map((value) => fieldText(value, language)).join("  ");
+}
+
+/**
+ * Numbers with spaces between them; none for an empty text.
+ * @param {string} text
+ * @param {ShellContext["t"]} t
+ * @returns {import("./text-field.js").Meaning}
+ */
+function numbersIn(text, t) {
+  const numbers = text.trim().split(/[\s;]+/).filter(Boolean).map((word) => parseNumber(word));
+  if (numbers.some(({ problem }) => problem)) return { problem: t("numbers.unreadable") };
+  return { data: numbers.length > 0 ? numbers.map(({ value }) => value) : undefined };
+}
+
+/** @param {Kind} kind @returns {(context: ShellContext, place: Place) => FreeEditor} */
+const ofOneField = (kind) => (context, place) => {
+  const field = createTextField(context, place, kind);
+  return assemble(context, { root: field.root, fields: () => [field], word: () => undefined, paths: field.paths });
+};
+
+export const createFormulaField = ofOneField(FORMULA);
+export const createOrdinatesField = ofOneField(ORDINATES);
+
+/**
+ * @param {ShellContext} context
+ * @param {Place} place
+ * @returns {FreeEditor}
+ */
+export function createTableField(context, place) {
   const { store, t, format } = context;
-  const fieldId = `${id}-${kind.key}`;
-  const attributes = { id: fieldId, spellcheck: "false", autocomplete: "off", "aria-describedby": `${fieldId}-hint` };
-  const field = kind.long ? h("textarea", { ...attributes, rows: LINES }) : h("input", { ...attributes, type: "text" });
-  const label = h("label", { for: fieldId });
-  const hint = h("p", { class: "hint", id: `${fieldId}-hint` });
-  const error = h("p", { class: "error", hidden: true, id: `${fieldId}-error` });
+  const { index } = place;
+  const field = createTextField(context, place, TABLE);
   const span = h("button", { type: "button", class: "quiet", hidden: true });
-  const root = h("div", { class: "free-text" }, label, field, error, hint, span);
-  const path = () => `segments[${index()}].${kind.key}`;
-  /** @type {string | null} */
-  let problem = null;
-  let shown = "";
-  let session = "";
+  const summary = h("summary");
+  const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, symbol("θ")), h("th", { scope: "col" }, symbol("s")), h("th", { scope: "col" })));
+  const body = h("tbody");
+  const scroll = h("div", { class: "residuals", tabindex: "0", role: "region" }, h("table", {}, head, body));
+  const residuals = h("details", { hidden: true }, summary, scroll);
+  field.root.append(span, residuals);
 
-  const focused = () => document.activeElement === field;
-  /** @param {Readonly<State>} state */
-  const segmentOf = (state) => state.design.segments[index()];
-
-  field.addEventListener("focus", () => {
-    session = `text:${++sessions}`;
-    store.set({ highlight: { segment: index() } });
-  });
-  field.addEventListener("blur", () => {
-    store.endGesture();
-    update(store.state);
-  });
-  field.addEventListener("input", () => {
-    const meaning = kind.read(field.value, t);
-    problem = meaning.problem ?? null;
-    if (meaning.data !== undefined) {
-      store.edit(t(`edit.${kind.key}`), (draft) => adopt(draft.segments[index()], meaning.data), { gesture: session });
-      const segment = segmentOf(store.state);
-      if (segment) shown = kind.write(segment, store.state.language);
-    }
-    update(store.state);
-  });
   span.addEventListener("click", () => {
     store.edit(t("edit.points"), (draft) => {
       const segment = draft.segments[index()];
@@ -110,68 +111,36 @@ const create = (kind) => (context, { id, index }) => {
       // The points stay where they are, and the segment goes as far as they do.
       if (segment && last) setBeta(Object.assign(segment, { beta: last }), last);
     });
-    field.focus();
+    field.input.focus();
   });
 
-  /**
-   * @param {Segment | undefined} segment
-   * @param {unknown} data
-   */
-  function adopt(segment, data) {
-    if (!segment) return;
-    Object.assign(segment, { [kind.key]: data });
-    if (kind.key !== "expression") return;
-    // Only a formula that names L has a rise to be told.
-    const { heights } = store.state.report;
-    if (!/L/.test(String(data))) delete segment.rise;
-    else segment.rise ??= clean((heights[index() + 1] ?? 0) - (heights[index()] ?? 0));
-  }
-
   /** @param {Readonly<State>} state */
-  function update(state) {
-    const segment = segmentOf(state);
-    if (!segment) return;
-    const text = kind.write(segment, state.language);
-    if (text !== shown || (!focused() && problem === null)) {
-      if (text !== shown) problem = null;
-      shown = text;
-      if (field.value !== text) field.value = text;
-    }
-    const own = state.error?.path === path() || state.error?.path.startsWith(`${path()}[`) ? state.error.message : null;
-    const message = problem ?? own ?? "";
-    error.hidden = message === "";
-    if (error.textContent !== message) error.textContent = message;
-    if (message) field.setAttribute("aria-invalid", "true");
-    else field.removeAttribute("aria-invalid");
-    field.setAttribute("aria-describedby", message ? `${error.id} ${hint.id}` : hint.id);
-    const last = segment.points?.at(-1)?.[0];
-    span.hidden = last === undefined || last <= 0 || last === segment.beta || problem !== null;
+  function follow({ design }) {
+    const segment = design.segments[index()];
+    const last = segment?.points?.at(-1)?.[0];
+    span.hidden = last === undefined || last <= 0 || last === segment?.beta || !field.readable();
     if (last !== undefined) span.textContent = t("table.span", { angle: format.number(last, { unit: "°" }) });
+    residuals.hidden = !(Number(segment?.["smoothing"]) > 0);
+    if (!residuals.hidden) void tell();
   }
 
-  function speak() {
-    label.textContent = t(`free.${kind.key}`, { number: index() + 1 });
-    hint.textContent = t(`free.${kind.key}.hint`);
-    update(store.state);
+  /** What the curve leaves of each point. */
+  async function tell() {
+    const marks = (await marksOf(context)).filter(({ kind, segment }) => kind === "point" && segment === index());
+    const [first] = marks;
+    if (!first) return;
+    const { units } = store.state.report;
+    const worst = marks.reduce((worst, mark) => (Math.abs(mark.residual) > Math.abs(worst.residual) ? mark : worst), first);
+    write(summary, t("residuals.summary", { value: format.quantity(worst.residual, { unit: units.s }), at: format.number(worst.at, { unit: "°" }) }));
+    scroll.setAttribute("aria-label", t("residuals.title", { number: index() + 1 }));
+    const [, , title] = head.querySelectorAll("th");
+    if (title) write(title, t("residuals.head"));
+    while (body.rows.length > marks.length) body.deleteRow(-1);
+    marks.forEach(({ at, height, residual }, k) => {
+      const row = body.rows[k] ?? body.insertRow();
+      [format.number(at), format.number(height), format.quantity(residual)].forEach((text, column) => write(row.cells[column] ?? row.insertCell(), text));
+    });
   }
 
-  speak();
-  return {
-    root,
-    update,
-    speak,
-    reset() {
-      problem = null;
-      shown = "";
-      update(store.state);
-    },
-    paths() {
-      const { error } = store.state;
-      return error?.path.startsWith(path()) ? [error.path] : [];
-    },
-  };
-};
-
-export const createFormulaField = create(FORMULA);
-export const createOrdinatesField = create(ORDINATES);
-export const createTableField = create(TABLE);
+  return assemble(context, { root: field.root, fields: () => [field], word: () => undefined, follow, paths: field.paths });
+}

@@ -2,7 +2,7 @@
  * One segment of the program on one line: its place, law, angle and rise.
  *
  * @import { Catalogue, LawEntry, Segment, ShellContext, State } from "./types.d.ts"
- * @import { FreeEditor } from "./free-editor.js"
+ * @import { FreeEditor } from "./free-parts.js"
  * @import { NumberField } from "./number-field.js"
  */
 import { clean } from "./clean.js";
@@ -100,13 +100,13 @@ export function createSegmentRow(context, actions) {
         id: `${id}-${key}`,
         label: symbol(sign),
         name: () => t("segments.parameter.of", { name: t(`parameter.${key}`), ...number() }),
-        unit: () => (quantity === "span" ? "°" : ""),
+        unit: () => (quantity === "span" ? "°" : quantity === "height" ? riseUnit(store.state.design) : ""),
         read: (design) => {
           const value = design.segments[index]?.[key];
           return typeof value === "number" ? value : undefined;
         },
         write: (draft, value) => set(draft.segments[index], key, value),
-        step: () => (quantity === "span" || key === "degree" ? 1 : 0.05),
+        step: (design) => (quantity === "height" ? lengthStep(design) / 100 : quantity === "span" || key === "degree" ? 1 : 0.05),
         path: () => `segments[${index}].${key}`,
         highlight: () => ({ segment: index }),
       }),

@@ -2,7 +2,7 @@
 
 export type Language = "en" | "es";
 /** A span is a part of β, in its unit; its default is a part of 1. */
-export type Quantity = "length" | "angle" | "ratio" | "span";
+export type Quantity = "length" | "angle" | "ratio" | "span" | "height";
 export type Diagram = "s" | "v" | "a" | "j" | "pressure_angle" | "rho" | "contact";
 export type ColumnName = "theta" | Diagram | "rho_pitch" | "x" | "y" | "pitch_x" | "pitch_y" | "outer_x" | "outer_y";
 export type KindId = "rotating" | "grooved" | "constant-breadth" | "translating";
@@ -91,6 +91,8 @@ export interface Segment {
   /** Not told where the law's own data say where it ends. */
   rise?: number;
   conditions?: Conditions;
+  /** Of a spline, from the segment's start; the engine's own when they are not told. */
+  knots?: number[];
   points?: Point[];
   ordinates?: number[];
   expression?: string;

@@ -10,6 +10,8 @@ import { es as esShell } from "../../web/strings/es.js";
 import { addStrings, createTranslate } from "../../web/strings/index.js";
 import { exportsEn } from "../../web/strings/exports.en.js";
 import { exportsEs } from "../../web/strings/exports.es.js";
+import { freeEn } from "../../web/strings/free.en.js";
+import { freeEs } from "../../web/strings/free.es.js";
 import { filesEn } from "../../web/strings/files.en.js";
 import { filesEs } from "../../web/strings/files.es.js";
 import { helpEn } from "../../web/strings/help.en.js";
@@ -30,7 +32,7 @@ import { openPage } from "./harness.js";
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn, ...exportsEn, ...unitsEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs, ...exportsEs, ...unitsEs } };
+const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn, ...exportsEn, ...unitsEn, ...freeEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs, ...exportsEs, ...unitsEs, ...freeEs } };
 addStrings(onDemand);
 export const en = words("en", { ...enShell, ...stageEn, ...onDemand.en });
 export const es = words("es", { ...esShell, ...stageEs, ...onDemand.es });

@@ -57,6 +57,7 @@ fn fit(drafts: &[Draft], lift: f64) -> Vec<Segment> {
                 "b" | "beta1" => b,
                 "c" | "beta3" => c * (1.0 - b),
                 "crossover" => 0.1 + 0.8 * b,
+                "smoothing" if b > 0.5 => 0.02 * b * segment.rise.abs(),
                 _ => *value,
             };
         }
@@ -86,7 +87,7 @@ fn value(parameter: &Parameter) -> BoxedStrategy<f64> {
         ("pivot_angle", _) => (-PI..PI).boxed(),
         (_, Quantity::Length) => (10.0..180.0).boxed(),
         (_, Quantity::Angle) => prop_oneof![Just(0.0), -0.6..0.6].boxed(),
-        (_, Quantity::Ratio | Quantity::Span) => (0.0..1.0).boxed(),
+        (_, Quantity::Ratio | Quantity::Span | Quantity::Height) => (0.0..1.0).boxed(),
     }
 }
 

@@ -8,6 +8,7 @@ import { placeIn } from "./place.js";
 
 /**
  * @typedef {object} Row  one diagram as it lies under the overlay
+ * @property {import("../types.d.ts").Diagram} diagram
  * @property {PlotArea} area
  * @property {number} x       of its canvas, CSS pixels
  * @property {number} y

@@ -11,6 +11,8 @@ pub enum Quantity {
     Ratio,
     /// A part of β: a pure number inside, in the unit of β at the edges.
     Span,
+    /// In the unit of *s*: a length, or radians (degrees at the edges) when the follower swings.
+    Height,
 }
 
 /// A number that a law or a follower takes besides those that all of them share.

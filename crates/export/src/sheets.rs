@@ -235,7 +235,8 @@ fn unit(key: &str, subject: &Subject) -> &'static str {
     let known = |parameter: &&Parameter| parameter.key == key;
     match parameters.into_iter().find(known).map(|parameter| parameter.quantity) {
         Some(Quantity::Angle) => "°",
-        Some(Quantity::Length | Quantity::Span) => subject.design.length_unit.symbol(),
+        Some(Quantity::Height) if subject.design.is_oscillating() => "°",
+        Some(Quantity::Length | Quantity::Span | Quantity::Height) => subject.design.length_unit.symbol(),
         None if key == "angle" => "°",
         None if ["base_radius", "breadth", "length", "distance"].contains(&key) => subject.design.length_unit.symbol(),
         Some(Quantity::Ratio) | None => "",

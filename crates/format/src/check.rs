@@ -30,7 +30,7 @@ impl Design {
         let program = self.program()?;
         let mut values = self.values;
         for (value, parameter) in values.iter_mut().zip(self.follower.parameters) {
-            *value = to_core(parameter, *value, 1.0);
+            *value = to_core(parameter, *value, 1.0, 1.0);
         }
         let follower = match self.kind.travel() {
             Some(_) => Follower::on_travel(self.follower, values),
@@ -84,7 +84,7 @@ impl Design {
                 Quantity::Length if parameter.default.is_none() => SIZE,
                 Quantity::Length => OFFSET,
                 Quantity::Angle => ANGLE,
-                Quantity::Ratio | Quantity::Span => f64::MIN..=f64::MAX,
+                Quantity::Ratio | Quantity::Span | Quantity::Height => f64::MIN..=f64::MAX,
             };
             check_range(["follower", parameter.key], value, &range, measure_of(parameter))?;
         }
@@ -125,7 +125,7 @@ impl Design {
         if law.is_dwell() && *rise != 0.0 {
             return Err(DesignError::at(here.join("rise"), Problem::DwellRises { found: *rise, measure }));
         }
-        data::check(&here, &self.segments[k].data, self.is_oscillating())?;
+        data::check(&here, &self.segments[k], self.is_oscillating())?;
         let next = (k + 1) % self.segments.len();
         let round = next == 0 && self.kind.travel().is_some();
         if law.is_matched() && self.segments[next].law.is_matched() && !round {
@@ -182,7 +182,7 @@ impl Design {
                 let (rise, start) = (segment.rise * up, start.to_f64() * up);
                 let mut parameters = segment.parameters;
                 for (value, parameter) in parameters.iter_mut().zip(segment.law.parameters) {
-                    *value = to_core(parameter, *value, segment.beta);
+                    *value = to_core(parameter, *value, segment.beta, up);
                 }
                 let given = Given { data: &data, beta, start, rise, parameters, ..Given::default() };
                 let solved =
@@ -229,10 +229,11 @@ impl Design {
             let rise = if segment.law.is_dwell() { 0.0 } else { target - height };
             (theta, height) = (theta + beta, height + rise);
             let rise = if segment.law.free().is_some() { to_core_rise(segment.rise) } else { rise };
-            let data = segment.data.scaled(beta / segment.beta, to_core_rise(1.0));
+            let up = to_core_rise(1.0);
+            let data = segment.data.scaled(beta / segment.beta, up);
             let mut parameters = segment.parameters;
             for (value, parameter) in parameters.iter_mut().zip(segment.law.parameters) {
-                *value = to_core(parameter, *value, segment.beta);
+                *value = to_core(parameter, *value, segment.beta, up);
             }
             Segment { law: segment.law, beta, rise, parameters, data }
         });
@@ -344,7 +345,7 @@ fn misses(difference: Decimal) -> bool {
 
 pub(crate) fn measure_of(parameter: &Parameter) -> Measure {
     match parameter.quantity {
-        Quantity::Length => Measure::Length,
+        Quantity::Length | Quantity::Height => Measure::Length,
         Quantity::Angle | Quantity::Span => Measure::Degrees,
         Quantity::Ratio => Measure::Ratio,
     }

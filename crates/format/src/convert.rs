@@ -132,16 +132,20 @@ impl Change {
         let height = |value: f64| if oscillating { value } else { self.power(value, 1) };
         let mut after = SegmentDesign { beta: self.place(segment.beta), rise: height(segment.rise), ..segment.clone() };
         for (value, parameter) in after.parameters.iter_mut().zip(segment.law.parameters) {
-            *value = self.parameter(parameter, *value);
+            *value =
+                if parameter.quantity == Quantity::Height { height(*value) } else { self.parameter(parameter, *value) };
         }
+        let converted = |condition: &mut Condition| {
+            condition.at = self.place(condition.at);
+            let per_place = if self.travels { i32::from(condition.order) } else { 0 };
+            condition.value = if oscillating { condition.value } else { self.power(condition.value, 1 - per_place) };
+        };
         match &mut after.data {
             Data::None => {}
-            Data::Conditions(conditions) => {
-                for Condition { at, order, value } in conditions {
-                    *at = self.place(*at);
-                    let per_place = if self.travels { i32::from(*order) } else { 0 };
-                    *value = if oscillating { *value } else { self.power(*value, 1 - per_place) };
-                }
+            Data::Conditions(conditions) => conditions.iter_mut().for_each(converted),
+            Data::Spline { conditions, knots } => {
+                conditions.iter_mut().for_each(converted);
+                knots.iter_mut().for_each(|knot| *knot = self.place(*knot));
             }
             Data::Points(points) => {
                 for [at, s] in points {
@@ -165,7 +169,7 @@ impl Change {
 
     fn parameter(&self, parameter: &Parameter, value: f64) -> f64 {
         match parameter.quantity {
-            Quantity::Length => self.power(value, 1),
+            Quantity::Length | Quantity::Height => self.power(value, 1),
             Quantity::Span => self.place(value),
             Quantity::Angle | Quantity::Ratio => value,
         }

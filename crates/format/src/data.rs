@@ -1,6 +1,6 @@
 //! What a free law is made from, as design files hold it: degrees along the segment, heights in the unit of the design.
 
-use crate::check::check_range;
+use crate::check::{check_range, measure_of};
 use crate::decimal::Decimal;
 use crate::limits::{DERIVATIVE, RISE, SWING};
 use crate::read::{Field, Object};
@@ -16,12 +16,15 @@ use serde_json::Value;
 /// The field of a segment that holds data of a kind.
 pub(crate) fn key(kind: DataKind) -> &'static str {
     match kind {
-        DataKind::Conditions => "conditions",
+        DataKind::Conditions | DataKind::Spline => "conditions",
         DataKind::Points => "points",
         DataKind::Ordinates => "ordinates",
         DataKind::Expression => "expression",
     }
 }
+
+/// The field of a segment that may hold the knots of a spline.
+const KNOTS: &str = "knots";
 
 /// The field that a law takes besides the numbers, when it takes one.
 #[must_use]
@@ -29,14 +32,27 @@ pub fn data_key(law: &Law) -> Option<&'static str> {
     law.free().map(|free| key(free.data))
 }
 
+/// Every field that a law may take besides the numbers.
+pub(crate) fn keys(law: &Law) -> impl Iterator<Item = &'static str> {
+    let spline = law.free().is_some_and(|free| free.data == DataKind::Spline);
+    data_key(law).into_iter().chain(spline.then_some(KNOTS))
+}
+
 /// Reads the data of a law from its segment.
 pub(crate) fn read(segment: &Object, law: &Law) -> Result<Data, DesignError> {
     let Some(free) = law.free() else { return Ok(Data::None) };
     let field = segment.required(key(free.data))?;
     match free.data {
-        DataKind::Conditions => {
+        DataKind::Conditions | DataKind::Spline => {
             let each = field.items(MAX_SPLINE_CONDITIONS)?.map(|item| read_condition(&item));
-            Ok(Data::Conditions(each.collect::<Result<_, _>>()?))
+            let conditions = each.collect::<Result<_, _>>()?;
+            match segment.optional(KNOTS) {
+                Some(field) => {
+                    let each = field.items(MAX_SPLINE_CONDITIONS)?.map(|item| item.number());
+                    Ok(Data::Spline { conditions, knots: each.collect::<Result<_, _>>()? })
+                }
+                None => Ok(Data::Conditions(conditions)),
+            }
         }
         DataKind::Points => {
             let each = field.items(MAX_POINTS)?.map(|item| item.pair());
@@ -70,17 +86,28 @@ pub(crate) fn asks_for_rise(law: &Law, data: &Data) -> bool {
     }
 }
 
-/// The field of a segment that holds its data.
+/// The field of a segment that holds its data, but for the knots of a spline.
 #[must_use]
 pub fn entry(data: &Data) -> Option<(&'static str, Value)> {
     let value = match data {
         Data::None => return None,
-        Data::Conditions(conditions) => conditions.iter().map(condition_value).collect(),
+        Data::Conditions(conditions) | Data::Spline { conditions, .. } => {
+            conditions.iter().map(condition_value).collect()
+        }
         Data::Points(points) => points.iter().map(|&[at, s]| Value::from(vec![number(at), number(s)])).collect(),
         Data::Ordinates(ordinates) => ordinates.iter().map(|&s| number(s)).collect(),
         Data::Expression(text) => text.as_str().into(),
     };
     Some((key(data.kind()?), value))
+}
+
+/// The fields of a segment that hold its data.
+pub(crate) fn entries(data: &Data) -> impl Iterator<Item = (&'static str, Value)> {
+    let knots = match data {
+        Data::Spline { knots, .. } => Some((KNOTS, knots.iter().map(|&knot| number(knot)).collect())),
+        _ => None,
+    };
+    entry(data).into_iter().chain(knots)
 }
 
 fn condition_value(condition: &Condition) -> Value {
@@ -90,16 +117,24 @@ fn condition_value(condition: &Condition) -> Value {
 }
 
 /// Refuses numbers out of range, at their places.
-pub(crate) fn check(here: &Path, data: &Data, oscillating: bool) -> Result<(), DesignError> {
+pub(crate) fn check(here: &Path, segment: &SegmentDesign, oscillating: bool) -> Result<(), DesignError> {
     let (travel, heights) = if oscillating { (Measure::Degrees, &SWING) } else { (Measure::Length, &RISE) };
+    let data = &segment.data;
+    for (value, parameter) in segment.parameters.iter().zip(segment.law.parameters) {
+        if parameter.quantity == Quantity::Height {
+            check_range(here.join(parameter.key), *value, &(0.0..=*heights.end()), travel)?;
+        }
+    }
     let list = data.kind().map_or_else(Path::default, |kind| here.join(key(kind)));
     let height = |path: Path, value: f64| check_range(path, value, heights, travel);
     match data {
         Data::None | Data::Expression(_) => Ok(()),
-        Data::Conditions(conditions) => conditions.iter().enumerate().try_for_each(|(item, condition)| {
-            let range = if condition.order == 0 { heights } else { &DERIVATIVE };
-            check_range(list.join(item).join("value"), condition.value, range, travel)
-        }),
+        Data::Conditions(conditions) | Data::Spline { conditions, .. } => {
+            conditions.iter().enumerate().try_for_each(|(item, condition)| {
+                let range = if condition.order == 0 { heights } else { &DERIVATIVE };
+                check_range(list.join(item).join("value"), condition.value, range, travel)
+            })
+        }
         Data::Points(points) => {
             points.iter().enumerate().try_for_each(|(item, point)| height(list.join(item).join(1), point[1]))
         }
@@ -115,7 +150,7 @@ pub(crate) fn stated_end(segment: &SegmentDesign) -> Option<Decimal> {
         Data::None | Data::Expression(_) => None,
         Data::Points(points) => points.last().filter(|point| point[0] == segment.beta).map(|point| point[1]),
         Data::Ordinates(ordinates) => ordinates.last().copied(),
-        Data::Conditions(conditions) => {
+        Data::Conditions(conditions) | Data::Spline { conditions, .. } => {
             conditions.iter().find(|c| c.order == 0 && c.at == segment.beta).map(|c| c.value)
         }
     };
@@ -134,6 +169,10 @@ pub(crate) fn stretched(segment: &SegmentDesign, beta: f64) -> SegmentDesign {
     match &mut after.data {
         Data::None | Data::Ordinates(_) | Data::Expression(_) => {}
         Data::Conditions(conditions) => conditions.iter_mut().for_each(|condition| condition.at = along(condition.at)),
+        Data::Spline { conditions, knots } => {
+            conditions.iter_mut().for_each(|condition| condition.at = along(condition.at));
+            knots.iter_mut().for_each(|knot| *knot = along(*knot));
+        }
         Data::Points(points) => points.iter_mut().for_each(|point| point[0] = along(point[0])),
     }
     after
@@ -160,9 +199,18 @@ pub(crate) fn refusal(here: &Path, segment: &SegmentDesign, problem: DataProblem
             (list.join(item).join("at"), problem)
         }
         DataProblem::Repeated { item, other } => (list.join(item), DataRefusal::Repeated { other }.into()),
-        DataProblem::Degree { min, max } => {
-            let (found, min, max) = (segment.parameters[0], min as f64, max as f64);
-            (here.join("degree"), Problem::OutOfRange { found, min, max, measure: Measure::Ratio })
+        DataProblem::Parameter { parameter, min, max } => {
+            let (found, parameter) = (segment.parameters[parameter], &segment.law.parameters[parameter]);
+            let problem = Problem::OutOfRange { found, min, max, measure: measure_of(parameter) };
+            (here.join(parameter.key), problem)
+        }
+        DataProblem::KnotCount { found, expected } => {
+            (here.join(KNOTS), DataRefusal::KnotCount { found, expected }.into())
+        }
+        DataProblem::KnotOrder { knot } => (here.join(KNOTS).join(knot), DataRefusal::KnotOrder.into()),
+        DataProblem::KnotPlace { item, from, to, beta } => {
+            let [from, to] = [from, to].map(|place| tidy(place / beta * segment.beta));
+            (here.join(KNOTS), DataRefusal::KnotPlace { item, from, to, measure: stride }.into())
         }
         DataProblem::NotAtEnd { item, found, expected, beta } => {
             let [found, expected] = [found, expected].map(|place| tidy(place / beta * segment.beta));

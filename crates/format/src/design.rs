@@ -106,15 +106,16 @@ pub(crate) fn default_of(parameter: &Parameter, beta: f64) -> Option<f64> {
     parameter.default.map(|value| match parameter.quantity {
         Quantity::Angle => value.to_degrees(),
         Quantity::Span => value * beta,
-        Quantity::Length | Quantity::Ratio => value,
+        Quantity::Length | Quantity::Ratio | Quantity::Height => value,
     })
 }
 
-/// A parameter's value in the units of the core; `beta` is that of its segment.
-pub(crate) fn to_core(parameter: &Parameter, value: f64, beta: f64) -> f64 {
+/// A parameter's value in the units of the core; `beta` is that of its segment, and `up` what a unit of *s* is there.
+pub(crate) fn to_core(parameter: &Parameter, value: f64, beta: f64, up: f64) -> f64 {
     match parameter.quantity {
         Quantity::Angle => value.to_radians(),
         Quantity::Span => value / beta,
+        Quantity::Height => value * up,
         Quantity::Length | Quantity::Ratio => value,
     }
 }

@@ -292,6 +292,26 @@ pub enum DataRefusal {
         /// Indices of those that do.
         items: Vec<usize>,
     },
+    /// Another number of knots than the conditions and the degree of a spline need.
+    KnotCount {
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        expected: usize,
+    },
+    /// A knot that does not lie within the segment, after the one before it.
+    KnotOrder,
+    /// Knots that leave a condition outside the part of the curve that it would hold.
+    KnotPlace {
+        /// Index of the condition.
+        item: usize,
+        /// It should lie after this place.
+        from: f64,
+        /// And before this one.
+        to: f64,
+        /// What places are measured in.
+        measure: Measure,
+    },
     /// The first or the last point of a table is not where the segment begins or ends.
     NotAtEnd {
         /// Where it is.

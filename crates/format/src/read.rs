@@ -196,7 +196,7 @@ fn read_segments(file: &Object) -> Result<Vec<SegmentDesign>, DesignError> {
 fn read_segment(segment: &Object) -> Result<SegmentDesign, DesignError> {
     let ids: Vec<&'static str> = LAWS.iter().map(|law| law.id).collect();
     let law: &'static Law = LAWS[segment.word("law", &ids)?];
-    let shared: Vec<&'static str> = ["law", "beta", "rise"].into_iter().chain(data::data_key(law)).collect();
+    let shared: Vec<&'static str> = ["law", "beta", "rise"].into_iter().chain(data::keys(law)).collect();
     let parameters: [f64; MAX_LAW_PARAMETERS] = segment.parameters(&shared, law.parameters)?;
     let beta = segment.required("beta")?.number()?;
     let data = data::read(segment, law)?;

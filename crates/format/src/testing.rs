@@ -8,7 +8,7 @@ use crate::{
     TargetsBy,
 };
 use levalab_core::application::{APPLICATIONS, MAX_APPLICATION_PARAMETERS};
-use levalab_core::law::{Condition, Data, DataKind, MAX_LAW_PARAMETERS};
+use levalab_core::law::{Condition, Data, DataKind, MAX_LAW_PARAMETERS, usual_knots};
 use levalab_core::{FOLLOWERS, Generator, LAWS, Law, Quantity, Rotation, Tie};
 
 /// A small generator of random numbers (SplitMix64), the same on every machine.
@@ -191,6 +191,7 @@ fn segments(random: &mut Random, decimals: Decimals, travel: f64, cycle: f64) ->
         let parameters = parameters(random, decimals, law, beta);
         let span = (beta, tidy(height - rise), height);
         let made = law.free().map_or(Data::None, |free| data_of(random, decimals, free.data, span));
+        let made = if random.once_in(3) { knotted(random, decimals, law, parameters, beta, made) } else { made };
         let rise = if law.is_dwell() || data::asks_for_rise(law, &made) { rise } else { 0.0 };
         segments.push(SegmentDesign { law, beta, rise, parameters, data: made });
     }
@@ -223,7 +224,7 @@ fn parameters(random: &mut Random, decimals: Decimals, law: &Law, beta: f64) -> 
 fn data_of(random: &mut Random, decimals: Decimals, kind: DataKind, (beta, start, end): (f64, f64, f64)) -> Data {
     let lift = start.abs().max(end.abs()).max(1.0);
     match kind {
-        DataKind::Conditions => {
+        DataKind::Conditions | DataKind::Spline => {
             let at = |at: f64, order: u8, value: f64| Condition { at, order, value };
             let mut conditions = vec![at(0.0, 0, start), at(beta, 0, end)];
             for order in 1..4 {
@@ -264,6 +265,26 @@ fn data_of(random: &mut Random, decimals: Decimals, kind: DataKind, (beta, start
             ];
             Data::Expression(random.pick(&texts).clone())
         }
+    }
+}
+
+/// A spline with knots of its own, near those that it would take unless told.
+fn knotted(
+    random: &mut Random,
+    decimals: Decimals,
+    law: &Law,
+    parameters: [f64; MAX_LAW_PARAMETERS],
+    beta: f64,
+    data: Data,
+) -> Data {
+    match data {
+        Data::Conditions(conditions) if law.free().is_some_and(|free| free.data == DataKind::Spline) => {
+            let usual = usual_knots(&conditions, parameters[0] as usize, beta);
+            let knots: Vec<f64> =
+                usual.iter().map(|knot| decimals.round(knot + beta * random.between(-0.02, 0.02))).collect();
+            if knots.is_empty() { Data::Conditions(conditions) } else { Data::Spline { conditions, knots } }
+        }
+        data => data,
     }
 }
 

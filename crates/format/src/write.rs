@@ -99,7 +99,7 @@ fn segment_entries(segment: &SegmentDesign) -> Entries {
         entries.push(("rise", number(segment.rise)));
     }
     entries.extend(parameter_entries(segment.law.parameters, &segment.parameters));
-    entries.extend(data::entry(&segment.data));
+    entries.extend(data::entries(&segment.data));
     Entries(entries)
 }
 

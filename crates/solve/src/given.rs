@@ -35,7 +35,7 @@ fn geometry(board: &mut Board) {
     for (parameter, value) in design.follower.parameters.iter().zip(design.values) {
         let symbol = if parameter.symbol == "Rf" { "R_f" } else { parameter.symbol };
         let unit = match parameter.quantity {
-            Quantity::Length => length.clone(),
+            Quantity::Length | Quantity::Height => length.clone(),
             Quantity::Angle | Quantity::Span => "{°}".to_owned(),
             Quantity::Ratio => String::new(),
         };

@@ -108,6 +108,7 @@ fn unit(board: &mut Board, part: &Part) {
         let symbol = match parameter.symbol {
             "β1" => "β_1",
             "β3" => "β_3",
+            "xc" => "x_c",
             other => other,
         };
         match parameter.quantity {
@@ -240,7 +241,7 @@ fn coefficients(board: &mut Board, part: &Part) {
 
 fn free(board: &mut Board, part: &Part) {
     match &part.segment.data {
-        Data::Conditions(_) => {
+        Data::Conditions(_) | Data::Spline { .. } => {
             system::conditions(board, part);
             formulas(board, part);
         }
@@ -262,6 +263,11 @@ const SPLINE: Two = two(
     "Entre dos puntos la curva es un polinomio de 5.º grado con $s$, $v$ y $a$ dados en ambos; las $v$ y $a$ de los puntos interiores son aquellas con las que también $j$ y su derivada son continuas.",
 );
 
+const SMOOTHED: Two = two(
+    "The curve does not go through the inner points: their residuals have a root mean square $δ = {smoothing}$, and of all such curves it is the one with the least integral of $j^2$. Its heights at the points take their place below.",
+    "La curva no pasa por los puntos interiores: sus residuos tienen una media cuadrática $δ = {smoothing}$, y de todas las curvas así es la de menor integral de $j^2$. Sus alturas en los puntos hacen aquí el papel de las medidas.",
+);
+
 fn points_of(board: &mut Board, part: &Part, points: &[[f64; 2]]) {
     let heads = vec![cell("θ"), cell("s")];
     let scale = board.scale();
@@ -270,6 +276,10 @@ fn points_of(board: &mut Board, part: &Part, points: &[[f64; 2]]) {
         .map(|[at, s]| vec![cell(&board.place(part.from + at)), cell(&(number::height(s * scale) + &board.unit(0)))]);
     let rows = rows.collect();
     board.table(two("Points of the table", "Puntos de la tabla"), heads, rows);
+    let smoothing = part.segment.parameters[0];
+    if smoothing > 0.0 {
+        board.say(SMOOTHED, &[("smoothing", &(number::datum(smoothing * scale) + &board.unit(0)))]);
+    }
     board.say(SPLINE, &[]);
 }
 

@@ -70,7 +70,7 @@ pub fn between_neighbours(board: &mut Board, part: &Part, orders: usize) {
 
 /// The polynomial, or the spline, through the conditions of the design.
 pub fn conditions(board: &mut Board, part: &Part) {
-    let Data::Conditions(conditions) = &part.segment.data else { return };
+    let Some(conditions) = part.segment.data.conditions() else { return };
     let (scale, beta) = (board.scale(), part.beta());
     let heads = vec![
         board.line(two("No.", "N.º"), &[]),
@@ -170,8 +170,8 @@ fn spline(board: &mut Board, part: &Part) {
     let degree = part.segment.parameters[0];
     board.say(
         two(
-            "A B-spline of degree $n = {n}$ has as many coefficients as conditions, $s = b_1 N_1(x) + b_2 N_2(x) + …$, and each condition is a row of a system for them, $b_1 N_1^{(m)} + b_2 N_2^{(m)} + … = s^{(m)}$. Its knots, each the mean of $n$ neighbouring places, part the segment into polynomials that join up to the derivative of order $n - 1$:",
-            "Una B-spline de grado $n = {n}$ tiene tantos coeficientes como condiciones, $s = b_1 N_1(x) + b_2 N_2(x) + …$, y cada condición es una fila de un sistema para ellos, $b_1 N_1^{(m)} + b_2 N_2^{(m)} + … = s^{(m)}$. Sus nudos, cada uno la media de $n$ lugares vecinos, dividen el tramo en polinomios que enlazan hasta la derivada de orden $n - 1$:",
+            "A B-spline of degree $n = {n}$ has as many coefficients as conditions, $s = b_1 N_1(x) + b_2 N_2(x) + …$, and each condition is a row of a system for them, $b_1 N_1^{(m)} + b_2 N_2^{(m)} + … = s^{(m)}$. Its knots part the segment into polynomials that join up to the derivative of order $n - 1$:",
+            "Una B-spline de grado $n = {n}$ tiene tantos coeficientes como condiciones, $s = b_1 N_1(x) + b_2 N_2(x) + …$, y cada condición es una fila de un sistema para ellos, $b_1 N_1^{(m)} + b_2 N_2^{(m)} + … = s^{(m)}$. Sus nudos dividen el tramo en polinomios que enlazan hasta la derivada de orden $n - 1$:",
         ),
         &[("n", &number::datum(degree))],
     );
@@ -179,6 +179,11 @@ fn spline(board: &mut Board, part: &Part) {
         part.stretches.iter().map(|stretch| number::part((stretch.from - part.from) / part.beta())).collect();
     knots.push("1".into());
     board.show(&format!("x = {}", knots.join(", ")));
+    if !matches!(part.segment.data, Data::Spline { .. }) {
+        let about =
+            two("Each of them is the mean of $n$ neighbouring places.", "Cada uno es la media de $n$ lugares vecinos.");
+        board.say(about, &[]);
+    }
 }
 
 fn matrix(rows: &[Vec<f64>], entry: impl Fn(f64) -> Formula) -> Formula {

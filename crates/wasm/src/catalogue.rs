@@ -142,6 +142,7 @@ impl ParameterEntry {
             Quantity::Angle => ("angle", 1_f64.to_degrees()),
             Quantity::Ratio => ("ratio", 1.0),
             Quantity::Span => ("span", 1.0),
+            Quantity::Height => ("height", 1.0),
         };
         let default = parameter.default.map(|value| value * scale);
         Self { key: parameter.key, symbol: parameter.symbol, quantity, default, optional: parameter.optional }

@@ -11,6 +11,7 @@ mod convert;
 mod diagrams;
 mod instant;
 mod lab;
+mod marks;
 mod plain;
 mod report;
 

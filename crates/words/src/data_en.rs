@@ -35,6 +35,20 @@ pub(crate) fn refusal(refusal: &DataRefusal) -> String {
                 row(&named, "and")
             )
         }
+        DataRefusal::KnotCount { found, expected: 0 } => {
+            format!("With so few conditions the spline is one polynomial and has no knots, and {found} are given.")
+        }
+        DataRefusal::KnotCount { found, expected } => {
+            format!("There are {found} knots; these conditions and this degree need {expected}.")
+        }
+        DataRefusal::KnotOrder => "Knots must lie within the segment, each after the one before it.".to_owned(),
+        DataRefusal::KnotPlace { item, from, to, measure } => {
+            let [from, to] = [from, to].map(|value| measured(*value, *measure, EN));
+            format!(
+                "With these knots condition {} would have to lie between {from} and {to}: put more knots where there are more conditions.",
+                item + 1
+            )
+        }
         DataRefusal::NotAtEnd { found, expected, measure } => {
             let [found, expected] = [found, expected].map(|value| measured(*value, *measure, EN));
             format!(

@@ -38,6 +38,22 @@ pub(crate) fn refusal(refusal: &DataRefusal) -> String {
                 row(&named, "y")
             )
         }
+        DataRefusal::KnotCount { found, expected: 0 } => {
+            format!("Con tan pocas condiciones la spline es un solo polinomio y no tiene nudos, y se dan {found}.")
+        }
+        DataRefusal::KnotCount { found, expected } => {
+            format!("Hay {found} nudos; estas condiciones y este grado necesitan {expected}.")
+        }
+        DataRefusal::KnotOrder => {
+            "Los nudos tienen que estar dentro del tramo, cada uno después del anterior.".to_owned()
+        }
+        DataRefusal::KnotPlace { item, from, to, measure } => {
+            let [from, to] = [from, to].map(|value| measured(*value, *measure, ES));
+            format!(
+                "Con estos nudos la condición {} tendría que estar entre {from} y {to}: ponga más nudos donde haya más condiciones.",
+                item + 1
+            )
+        }
         DataRefusal::NotAtEnd { found, expected, measure } => {
             let [found, expected] = [found, expected].map(|value| measured(*value, *measure, ES));
             format!(

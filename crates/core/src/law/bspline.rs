@@ -2,11 +2,12 @@
 
 use super::conditions::{checked, solve};
 use super::polynomial::at_rest;
-use super::{Condition, DataKind, DataProblem, Free, Given, Group, Law, Piece, Shape, Solved};
+use super::{Condition, Data, DataKind, DataProblem, Free, Given, Group, Law, Piece, Shape, Solved};
 use crate::{Curve, Parameter, Quantity};
 
-/// As many B-splines of degree 4 to 8 as conditions; the knots are the means of as many neighbouring conditions as the degree, so that there is
-/// always a solution (de Boor, *A Practical Guide to Splines*, ch. XIII). It is smooth up to the order below its degree.
+/// As many B-splines of degree 4 to 8 as conditions. Unless they are told, the knots are the means of as many neighbouring conditions as the
+/// degree, so that there is always a solution (de Boor, *A Practical Guide to Splines*, ch. XIII); knots that are told must leave every condition
+/// within its own B-spline (Schoenberg and Whitney). It is smooth up to the order below its degree.
 pub const LAW: Law = Law {
     id: "bspline",
     group: Group::Free,
@@ -17,18 +18,22 @@ pub const LAW: Law = Law {
         default: Some(5.0),
         optional: true,
     }],
-    shape: Shape::Free(Free { data: DataKind::Conditions, first: at_rest, solve: pieces }),
+    shape: Shape::Free(Free { data: DataKind::Spline, first: at_rest, solve: pieces }),
 };
 
 /// Lowest degree with a continuous jerk, and the highest that is of use.
 const DEGREES: std::ops::RangeInclusive<usize> = 4..=8;
+
+/// Knots closer than this part of β are one, which would cost the curve a derivative.
+const CLOSEST_KNOTS: f64 = 1e-6;
 
 /// Most conditions.
 pub const MAX_SPLINE_CONDITIONS: usize = 64;
 
 fn pieces(given: &Given) -> Result<Solved, DataProblem> {
     let degree = DEGREES.clone().find(|&degree| degree as f64 == given.parameters[0]);
-    let degree = degree.ok_or(DataProblem::Degree { min: *DEGREES.start(), max: *DEGREES.end() })?;
+    let (min, max) = (*DEGREES.start() as f64, *DEGREES.end() as f64);
+    let degree = degree.ok_or(DataProblem::Parameter { parameter: 0, min, max })?;
     let mut conditions = checked(given.data, given.beta, degree + 1..=MAX_SPLINE_CONDITIONS)?;
     let order_given: Vec<usize> = {
         let mut order: Vec<usize> = (0..conditions.len()).collect();
@@ -39,7 +44,18 @@ fn pieces(given: &Given) -> Result<Solved, DataProblem> {
         order
     };
     conditions = order_given.iter().map(|&k| conditions[k]).collect();
-    let knots = knots(&conditions, degree);
+    let inner = match given.data {
+        Data::Spline { knots, .. } => {
+            told(knots, &conditions, degree, given.beta).map_err(|problem| match problem {
+                DataProblem::KnotPlace { item, from, to, beta } => {
+                    DataProblem::KnotPlace { item: order_given[item], from, to, beta }
+                }
+                other => other,
+            })?
+        }
+        _ => means(&conditions, degree),
+    };
+    let knots = clamped(&inner, degree);
     let solution = solve(&conditions, |order, x| basis(&knots, degree, order, x));
     let (coefficients, condition) = solution.map_err(|problem| match problem {
         DataProblem::Dependent { items } => {
@@ -55,16 +71,54 @@ fn pieces(given: &Given) -> Result<Solved, DataProblem> {
     Ok(Solved { pieces: pieces.collect(), condition })
 }
 
-/// Knots for sites in order: each inner one the mean of `degree` sites.
-fn knots(sites: &[Condition], degree: usize) -> Vec<f64> {
-    let inner = (1..sites.len() - degree).map(|i| {
-        let means = sites[i..i + degree].iter().map(|site| site.at);
-        (means.sum::<f64>() / degree as f64).clamp(0.0, 1.0)
+/// The inner knots that a spline takes when none are told, as places along the segment; none where it takes no spline at all.
+#[must_use]
+pub fn usual_knots(conditions: &[Condition], degree: usize, beta: f64) -> Vec<f64> {
+    let mut sites: Vec<Condition> = conditions.to_vec();
+    sites.sort_by(|a, b| a.at.total_cmp(&b.at));
+    if sites.len() <= degree {
+        Vec::new()
+    } else {
+        means(&sites, degree).iter().map(|knot| knot.clamp(0.0, beta)).collect()
+    }
+}
+
+/// Inner knots for sites in order: each the mean of `degree` sites.
+fn means(sites: &[Condition], degree: usize) -> Vec<f64> {
+    let mean = |i: usize| sites[i..i + degree].iter().map(|site| site.at).sum::<f64>() / degree as f64;
+    (1..sites.len() - degree).map(mean).collect()
+}
+
+/// Inner knots as they are told, checked against sites in order.
+fn told(knots: &[f64], sites: &[Condition], degree: usize, beta: f64) -> Result<Vec<f64>, DataProblem> {
+    let (found, expected) = (knots.len(), sites.len() - degree - 1);
+    if found != expected {
+        return Err(DataProblem::KnotCount { found, expected });
+    }
+    let inner: Vec<f64> = knots.iter().map(|knot| knot / beta).collect();
+    let before = |knot: usize| if knot == 0 { 0.0 } else { inner[knot - 1] };
+    // Written so that NaN is out of order too.
+    let in_order = |&knot: &usize| inner[knot] - before(knot) > CLOSEST_KNOTS && 1.0 - inner[knot] > CLOSEST_KNOTS;
+    if let Some(knot) = (0..found).find(|knot| !in_order(knot)) {
+        return Err(DataProblem::KnotOrder { knot });
+    }
+    let all = clamped(&inner, degree);
+    let outside = sites.iter().enumerate().find(|(i, site)| {
+        let (from, to) = (all[*i], all[i + degree + 1]);
+        site.at > 0.0 && site.at <= from || site.at < 1.0 && site.at >= to
     });
-    let mut knots = vec![0.0; degree + 1];
-    knots.extend(inner);
-    knots.extend(vec![1.0; degree + 1]);
-    knots
+    match outside {
+        Some((item, _)) => {
+            let [from, to] = [all[item], all[item + degree + 1]].map(|knot| knot * beta);
+            Err(DataProblem::KnotPlace { item, from, to, beta })
+        }
+        None => Ok(inner),
+    }
+}
+
+/// All knots: each end as often as the order of the spline, so that it begins and ends there.
+fn clamped(inner: &[f64], degree: usize) -> Vec<f64> {
+    [&vec![0.0; degree + 1][..], inner, &vec![1.0; degree + 1]].concat()
 }
 
 /// The derivative of an order of every B-spline of a degree at x; on a knot, from the right.
@@ -113,7 +167,6 @@ fn taylor(knots: &[f64], coefficients: &[f64], degree: usize, from: f64, to: f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::law::Data;
 
     fn solved(degree: f64, beta: f64, conditions: &[(f64, u8, f64)]) -> Result<Solved, DataProblem> {
         let conditions = conditions.iter().map(|&(at, order, value)| Condition { at, order, value }).collect();
@@ -172,10 +225,57 @@ mod tests {
         }
     }
 
+    fn knotted(degree: f64, conditions: &[(f64, u8, f64)], knots: &[f64]) -> Result<Solved, DataProblem> {
+        let conditions = conditions.iter().map(|&(at, order, value)| Condition { at, order, value }).collect();
+        let data = Data::Spline { conditions, knots: knots.to_vec() };
+        pieces(&Given { data: &data, beta: 2.0, parameters: [degree, 0.0, 0.0], ..Given::default() })
+    }
+
+    #[test]
+    fn knots_that_are_told_are_where_the_pieces_join() {
+        let conditions = hump(4, 2.0);
+        let usual = solved(5.0, 2.0, &conditions).expect("solved");
+        let knots: Vec<f64> = usual.pieces[..usual.pieces.len() - 1].iter().map(|piece| piece.until * 2.0).collect();
+        let sites: Vec<Condition> =
+            conditions.iter().map(|&(at, order, value)| Condition { at, order, value }).collect();
+        let named = usual_knots(&sites, 5, 2.0);
+        assert!(named.len() == 3 && named.iter().zip(&knots).all(|(named, knot)| (named - knot).abs() < 1e-15));
+        assert_eq!(knotted(5.0, &conditions, &knots).expect("the same").pieces.len(), usual.pieces.len());
+        let moved = knotted(5.0, &conditions, &[0.5, 1.1, 1.4]).expect("other knots");
+        assert!(
+            moved.pieces.iter().zip([0.25, 0.55, 0.7, 1.0]).all(|(piece, until)| (piece.until - until).abs() < 1e-15)
+        );
+        for &(place, order, value) in &conditions {
+            let found = at(&moved, place / 2.0).order(order.into()) / 2_f64.powi(order.into());
+            assert!((found - value).abs() < 1e-10, "order {order} at {place}: {found}, not {value}");
+        }
+        for pair in moved.pieces.windows(2) {
+            let (left, right) = (pair[0].at(pair[0].until), pair[1].at(pair[0].until));
+            assert!((left.j - right.j).abs() < 1e-8 * (1.0 + left.j.abs()), "the jerk is continuous at a knot");
+        }
+    }
+
+    #[test]
+    fn knots_that_make_no_spline_are_refused() {
+        let conditions = hump(4, 2.0);
+        let refused = |knots: &[f64]| knotted(5.0, &conditions, knots).expect_err("refused");
+        assert_eq!(refused(&[0.5]), DataProblem::KnotCount { found: 1, expected: 3 });
+        assert_eq!(refused(&[0.5, 0.5, 1.0]), DataProblem::KnotOrder { knot: 1 });
+        assert_eq!(refused(&[0.5, 1.0, 2.0]), DataProblem::KnotOrder { knot: 2 });
+        assert_eq!(refused(&[f64::NAN, 1.0, 1.5]), DataProblem::KnotOrder { knot: 0 });
+        // All knots beyond the last point: the first piece has six coefficients, and fourteen conditions lie on it.
+        let late: Vec<f64> = (0..11).map(|k| 1.9 + 0.005 * f64::from(k)).collect();
+        let wrong = knotted(5.0, &hump(12, 2.0), &late).expect_err("refused");
+        assert!(matches!(wrong, DataProblem::KnotPlace { item: 6, .. }), "{wrong:?}");
+    }
+
     #[test]
     fn what_makes_no_spline_is_refused() {
         let few = hump(2, 1.0);
-        assert_eq!(solved(5.5, 1.0, &few).expect_err("a fraction"), DataProblem::Degree { min: 4, max: 8 });
+        assert_eq!(
+            solved(5.5, 1.0, &few).expect_err("a fraction"),
+            DataProblem::Parameter { parameter: 0, min: 4.0, max: 8.0 }
+        );
         assert_eq!(solved(8.0, 1.0, &few).expect_err("few"), DataProblem::Count { found: 7, min: 9, max: 64 });
     }
 }

@@ -15,7 +15,7 @@ const NO_PART: f64 = 1e-6;
 
 /// The conditions of a segment, checked, with their places as parts of β and their derivatives with respect to that part.
 pub(super) fn checked(data: &Data, beta: f64, count: RangeInclusive<usize>) -> Result<Vec<Condition>, DataProblem> {
-    let Data::Conditions(conditions) = data else { return Err(DataProblem::Kind) };
+    let Some(conditions) = data.conditions() else { return Err(DataProblem::Kind) };
     if !count.contains(&conditions.len()) {
         return Err(DataProblem::Count { found: conditions.len(), min: *count.start(), max: *count.end() });
     }

@@ -23,6 +23,13 @@ pub enum Data {
     None,
     /// Conditions to meet, in any order.
     Conditions(Vec<Condition>),
+    /// Conditions that a spline meets, and its inner knots, from the segment's start and in order.
+    Spline {
+        /// Conditions to meet, in any order.
+        conditions: Vec<Condition>,
+        /// Where its pieces join.
+        knots: Vec<f64>,
+    },
     /// Points to go through: where, from the segment's start, and *s* there.
     Points(Vec<[f64; 2]>),
     /// Ordinates of *s* at even steps.
@@ -36,6 +43,8 @@ pub enum Data {
 pub enum DataKind {
     /// [`Data::Conditions`].
     Conditions,
+    /// [`Data::Conditions`], or [`Data::Spline`] when the knots are told.
+    Spline,
     /// [`Data::Points`].
     Points,
     /// [`Data::Ordinates`].
@@ -132,12 +141,37 @@ pub enum DataProblem {
         /// The item that came before.
         other: usize,
     },
-    /// A degree that is not a whole number from the least to the greatest.
-    Degree {
-        /// The least.
-        min: usize,
-        /// The greatest.
-        max: usize,
+    /// A parameter of the law out of its range.
+    Parameter {
+        /// Index into the law's parameters.
+        parameter: usize,
+        /// Least value that would do.
+        min: f64,
+        /// Greatest value that would do.
+        max: f64,
+    },
+    /// Not as many knots as the conditions and the degree need.
+    KnotCount {
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        expected: usize,
+    },
+    /// A knot outside the segment, at one of its ends, or not after the one before it.
+    KnotOrder {
+        /// The knot.
+        knot: usize,
+    },
+    /// Too few conditions on one side of a knot for the pieces there: Schoenberg and Whitney's condition.
+    KnotPlace {
+        /// The condition that lies outside its B-spline.
+        item: usize,
+        /// Where that B-spline begins, as a place along the segment.
+        from: f64,
+        /// Where it ends.
+        to: f64,
+        /// β.
+        beta: f64,
     },
     /// The first or the last point is not where the segment begins or ends.
     NotAtEnd {
@@ -178,21 +212,33 @@ impl Data {
         match self {
             Self::None => None,
             Self::Conditions(_) => Some(DataKind::Conditions),
+            Self::Spline { .. } => Some(DataKind::Spline),
             Self::Points(_) => Some(DataKind::Points),
             Self::Ordinates(_) => Some(DataKind::Ordinates),
             Self::Expression(_) => Some(DataKind::Expression),
         }
     }
 
+    /// Its conditions, when it is made of them.
+    #[must_use]
+    pub fn conditions(&self) -> Option<&[Condition]> {
+        match self {
+            Self::Conditions(conditions) | Self::Spline { conditions, .. } => Some(conditions),
+            _ => None,
+        }
+    }
+
     /// The same data with places and heights in other units. Derivatives stay with respect to the same θ.
     #[must_use]
     pub fn scaled(&self, along: f64, up: f64) -> Self {
+        let condition = |c: &Condition| Condition { at: c.at * along, order: c.order, value: c.value * up };
         match self {
             Self::None => Self::None,
-            Self::Conditions(conditions) => {
-                let scaled = |c: &Condition| Condition { at: c.at * along, order: c.order, value: c.value * up };
-                Self::Conditions(conditions.iter().map(scaled).collect())
-            }
+            Self::Conditions(conditions) => Self::Conditions(conditions.iter().map(condition).collect()),
+            Self::Spline { conditions, knots } => Self::Spline {
+                conditions: conditions.iter().map(condition).collect(),
+                knots: knots.iter().map(|knot| knot * along).collect(),
+            },
             Self::Points(points) => Self::Points(points.iter().map(|[at, s]| [at * along, s * up]).collect()),
             Self::Ordinates(ordinates) => Self::Ordinates(ordinates.iter().map(|s| s * up).collect()),
             Self::Expression(text) => Self::Expression(text.clone()),

@@ -35,11 +35,12 @@ mod scca;
 mod simple_harmonic;
 mod skew;
 mod skewed_scca;
+mod smoothing;
 mod system;
 mod table;
 
 pub use bezier::MAX_ORDINATES;
-pub use bspline::MAX_SPLINE_CONDITIONS;
+pub use bspline::{MAX_SPLINE_CONDITIONS, usual_knots};
 pub use circular_arc::LAW as CIRCULAR_ARC;
 pub use data::{Condition, Data, DataKind, DataProblem, Given, Solved};
 pub use matched::end_system;

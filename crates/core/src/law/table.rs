@@ -2,18 +2,26 @@
 
 use super::conditions::solve;
 use super::matched::matched_polynomial;
+use super::smoothing::{Ends, smoothed};
 use super::{Condition, Data, DataKind, DataProblem, Free, Given, Group, Law, Piece, Shape, Solved};
 use crate::series::chebyshev;
-use crate::{Series, Svaj};
+use crate::{Parameter, Quantity, Series, Svaj};
 use nalgebra::{Matrix2, Vector2};
 
 /// The interpolating quintic spline (C⁴): between two points, the quintic with *s*, *v*, *a* at both; *v* and *a* are those with which *j* and its
 /// derivative are continuous as well. At its ends it takes *v* and *a* from its neighbours; where it cannot, from the six points nearest; and one
-/// table that covers the whole turn joins itself.
+/// table that covers the whole turn joins itself. With a `smoothing` it misses the inner points by as much on the average (root mean square), and has
+/// the least jerk that this allows.
 pub const LAW: Law = Law {
     id: "table",
     group: Group::Free,
-    parameters: &[],
+    parameters: &[Parameter {
+        key: "smoothing",
+        symbol: "δ",
+        quantity: Quantity::Height,
+        default: Some(0.0),
+        optional: true,
+    }],
     shape: Shape::Free(Free { data: DataKind::Points, first: few, solve: pieces }),
 };
 
@@ -30,7 +38,7 @@ const AT_AN_END: f64 = 1e-12;
 const NEAREST: usize = 6;
 
 /// *v* and *a* at a point.
-type Slope = Vector2<f64>;
+pub(super) type Slope = Vector2<f64>;
 
 fn pieces(given: &Given) -> Result<Solved, DataProblem> {
     let points = checked(given)?;
@@ -38,16 +46,28 @@ fn pieces(given: &Given) -> Result<Solved, DataProblem> {
     // A unit of z is the mean distance of the points.
     let unit = 1.0 / last as f64;
     let z: Vec<f64> = points.iter().map(|point| point[0] / unit).collect();
-    let heights: Vec<f64> = points.iter().map(|point| point[1]).collect();
+    let mut heights: Vec<f64> = points.iter().map(|point| point[1]).collect();
     let in_z = |motion: Svaj| {
         let step = given.beta * unit;
         Slope::new(motion.v * step, motion.a * step * step)
     };
-    let slopes = if given.alone {
+    let tolerance = given.parameters[0];
+    // Written so that NaN is refused too.
+    if !(tolerance >= 0.0 && tolerance.is_finite()) {
+        return Err(DataProblem::Parameter { parameter: 0, min: 0.0, max: f64::MAX });
+    }
+    let ends = [given.before, given.after].map(|end| end.map(in_z));
+    let slopes = if tolerance > 0.0 {
+        let ends = if given.alone { Ends::Joined } else { Ends::Held(ends[0], ends[1]) };
+        let (let_go, start, end) = smoothed(&z, &heights, ends, tolerance);
+        heights = let_go;
+        // Once more through the heights found, which leaves the curve as smooth as one through the points.
+        if given.alone { closed(&z, &heights) } else { clamped(&z, &heights, start, end) }
+    } else if given.alone {
         closed(&z, &heights)
     } else {
-        let start = given.before.map_or_else(|| estimated(&z, &heights, false), in_z);
-        let end = given.after.map_or_else(|| estimated(&z, &heights, true), in_z);
+        let start = ends[0].unwrap_or_else(|| estimated(&z, &heights, false));
+        let end = ends[1].unwrap_or_else(|| estimated(&z, &heights, true));
         clamped(&z, &heights, start, end)
     };
     let piece = |k: usize| {
@@ -146,7 +166,7 @@ fn closed(z: &[f64], y: &[f64]) -> Vec<Slope> {
 }
 
 /// What *j* and its derivative gain from the end of a curve to its start.
-fn gap(z: &[f64], y: &[f64], slopes: &[Slope]) -> Slope {
+pub(super) fn gap(z: &[f64], y: &[f64], slopes: &[Slope]) -> Slope {
     let last = z.len() - 1;
     let (h, d) = (z[1] - z[0], y[1] - y[0]);
     let (p, q) = (slopes[0], slopes[1]);
@@ -263,6 +283,103 @@ mod tests {
             let x = piece.until - 0.01;
             assert!((piece.at(x).s - quintic(x)).abs() < 1e-12, "at {x}");
             assert!((piece.at(x).j - (60.0 - 360.0 * x + 360.0 * x * x)).abs() < 1e-7, "jerk at {x}");
+        }
+    }
+
+    /// A cycloidal with an error of measurement that has no pattern a curve could follow.
+    fn noisy(n: usize, size: f64) -> Vec<[f64; 2]> {
+        let noise = |k: usize| if k == 0 || k + 1 == n { 0.0 } else { size * (k as f64 * k as f64 * 1.7).sin() };
+        let cycloidal = |x: f64| x - (TAU * x).sin() / TAU;
+        let point = |(k, at): (usize, &f64)| [*at, 25.0 * cycloidal(at / 2.0) + noise(k)];
+        places(n, 2.0).iter().enumerate().map(point).collect()
+    }
+
+    fn smoothed_by(points: &[[f64; 2]], tolerance: f64, rest: bool, alone: bool) -> Vec<Piece> {
+        let rest = rest.then(Svaj::default);
+        let (data, beta) = (Data::Points(points.to_vec()), points.last().expect("points")[0]);
+        let parameters = [tolerance, 0.0, 0.0];
+        let given = Given { data: &data, beta, before: rest, after: rest, alone, parameters, ..Given::default() };
+        pieces(&given).expect("solved").pieces
+    }
+
+    fn residuals(pieces: &[Piece], points: &[[f64; 2]]) -> Vec<f64> {
+        let beta = points.last().expect("points")[0];
+        let at = |x: f64| pieces.iter().find(|piece| x < piece.until).or(pieces.last()).expect("a piece").at(x).s;
+        points.iter().map(|point| at(point[0] / beta) - point[1]).collect()
+    }
+
+    fn greatest_jerk(pieces: &[Piece]) -> f64 {
+        let at = |x: f64| pieces.iter().find(|piece| x < piece.until).or(pieces.last()).expect("a piece").at(x).j;
+        (0..=2000).map(|i| at(f64::from(i) / 2000.0).abs()).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn a_smoothed_table_misses_its_points_by_as_much_as_it_may() {
+        for (n, rest) in [(20, true), (60, true), (60, false), (MAX_POINTS, true)] {
+            let points = noisy(n, 0.02);
+            let mut jerk = f64::INFINITY;
+            for tolerance in [1e-4, 1e-3, 0.01] {
+                let pieces = smoothed_by(&points, tolerance, rest, false);
+                assert_smooth(&pieces);
+                let residuals = residuals(&pieces, &points);
+                let mean = residuals.iter().map(|r| r * r).sum::<f64>() / (n - 2) as f64;
+                assert!((mean.sqrt() / tolerance - 1.0).abs() < 1e-6, "{n} points: {} of {tolerance}", mean.sqrt());
+                assert!(residuals[0].abs() < 1e-12 && residuals[n - 1].abs() < 1e-12, "the ends stay");
+                let now = greatest_jerk(&pieces);
+                assert!(now < jerk, "{n} points, {tolerance}: {now} after {jerk}");
+                jerk = now;
+            }
+        }
+    }
+
+    #[test]
+    fn the_smoothest_curve_between_rests_is_the_3_4_5() {
+        // Of all curves from rest to rest the 3-4-5 has the least ∫j²: its sixth derivative vanishes, as Euler's equation demands.
+        let points = noisy(30, 0.02);
+        for piece in smoothed_by(&points, 1e3, true, false) {
+            let x = piece.until - 0.01;
+            let expected = 25.0 * (10.0 * x.powi(3) - 15.0 * x.powi(4) + 6.0 * x.powi(5));
+            assert!((piece.at(x).s - expected).abs() < 1e-5, "{} at {x}, not {expected}", piece.at(x).s);
+        }
+    }
+
+    #[test]
+    fn smoothing_brings_the_measured_law_back() {
+        let points = noisy(60, 0.02);
+        let error = |pieces: &[Piece]| {
+            let at = |x: f64| pieces.iter().find(|piece| x < piece.until).or(pieces.last()).expect("a piece").at(x).a;
+            let miss = (0..=1000).map(|i| f64::from(i) / 1000.0).map(|x| at(x) - 25.0 * TAU * (TAU * x).sin());
+            miss.map(f64::abs).fold(0.0, f64::max)
+        };
+        let (through, smooth) =
+            (error(&smoothed_by(&points, 0.0, true, false)), error(&smoothed_by(&points, 0.0135, true, false)));
+        assert!(smooth < 0.05 * through, "acceleration misses by {smooth}, and by {through} without smoothing");
+    }
+
+    #[test]
+    fn a_smoothed_table_of_the_whole_turn_joins_itself() {
+        let wave = |x: f64| 5.0 - 5.0 * (TAU * x).cos();
+        let noise = |k: usize| if k == 0 || k == 71 { 0.0 } else { 0.01 * (k as f64 * k as f64 * 1.7).sin() };
+        let point = |(k, at): (usize, &f64)| [*at, wave(at / TAU) + noise(k)];
+        let points: Vec<[f64; 2]> = places(72, TAU).iter().enumerate().map(point).collect();
+        let pieces = smoothed_by(&points, 0.005, false, true);
+        assert_smooth(&pieces);
+        let (start, end) = (pieces[0].at(0.0), pieces[pieces.len() - 1].at(1.0));
+        for order in 0..4 {
+            let miss = (start.order(order) - end.order(order)).abs();
+            assert!(miss < 1e-6, "order {order} jumps by {miss} where the turn closes");
+        }
+        let residuals = residuals(&pieces, &points);
+        let mean = residuals.iter().map(|r| r * r).sum::<f64>() / 70.0;
+        assert!((mean.sqrt() / 0.005 - 1.0).abs() < 1e-6, "{}", mean.sqrt());
+    }
+
+    #[test]
+    fn a_smoothing_below_nothing_is_refused() {
+        for bad in [-0.1, f64::NAN, f64::INFINITY] {
+            let (data, parameters) = (Data::Points(noisy(9, 0.0)), [bad, 0.0, 0.0]);
+            let refused = pieces(&Given { data: &data, beta: 2.0, parameters, ..Given::default() });
+            assert!(matches!(refused, Err(DataProblem::Parameter { parameter: 0, .. })), "{bad}");
         }
     }
 

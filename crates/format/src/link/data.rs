@@ -1,7 +1,7 @@
 //! The data of a free law in a link, after the numbers of its segment.
 //!
-//! A condition is a letter for what is known (`s`, `v`, `a`, `j`), where, and the value unless it is zero: `s0v0a0s120_10v120a120`. A point of a
-//! table is `p`, where, and *s*; ordinates are `o` and their values; an expression is `f`, its text as a title is written, and a full stop.
+//! A condition is a letter for what is known (`s`, `v`, `a`, `j`), where, and the value unless it is zero: `s0v0a0s120_10v120a120`; the knots of a spline
+//! follow, each a `k` and where. A point of a table is `p`, where, and *s*; ordinates are `o` and their values; an expression is `f`, its text as a title is written, and a full stop.
 
 use super::reader::Fields;
 use super::{number, title, write_value};
@@ -13,13 +13,12 @@ const ORDERS: [char; 4] = ['s', 'v', 'a', 'j'];
 pub(super) fn write(text: &mut String, data: &Data) {
     match data {
         Data::None => {}
-        Data::Conditions(conditions) => {
-            for &Condition { at, order, value } in conditions {
-                text.push(ORDERS[usize::from(order) % ORDERS.len()]);
-                number::write(text, at);
-                if value != 0.0 {
-                    write_value(text, value);
-                }
+        Data::Conditions(conditions) => write_conditions(text, conditions),
+        Data::Spline { conditions, knots } => {
+            write_conditions(text, conditions);
+            for &knot in knots {
+                text.push('k');
+                number::write(text, knot);
             }
         }
         Data::Points(points) => {
@@ -43,17 +42,31 @@ pub(super) fn write(text: &mut String, data: &Data) {
     }
 }
 
+fn write_conditions(text: &mut String, conditions: &[Condition]) {
+    for &Condition { at, order, value } in conditions {
+        text.push(ORDERS[usize::from(order) % ORDERS.len()]);
+        number::write(text, at);
+        if value != 0.0 {
+            write_value(text, value);
+        }
+    }
+}
+
 pub(super) fn read(fields: &mut Fields, law: &Law) -> Option<Data> {
     let Some(free) = law.free() else { return Some(Data::None) };
     match free.data {
-        DataKind::Conditions => {
+        DataKind::Conditions | DataKind::Spline => {
             let mut conditions = Vec::new();
             while let Some(order) = ORDERS.iter().position(|&letter| fields.take(letter)) {
                 let at = fields.number()?;
                 let [value] = fields.values([Some(0.0)].into_iter())?;
                 conditions.push(Condition { at, order: order as u8, value });
             }
-            Some(Data::Conditions(conditions))
+            let mut knots = Vec::new();
+            while free.data == DataKind::Spline && fields.take('k') {
+                knots.push(fields.number()?);
+            }
+            Some(if knots.is_empty() { Data::Conditions(conditions) } else { Data::Spline { conditions, knots } })
         }
         DataKind::Points => {
             let mut points = Vec::new();

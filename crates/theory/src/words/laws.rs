@@ -402,8 +402,8 @@ pub const LAWS: &[LawWords] = &[
     LawWords {
         id: "table",
         idea: two(
-            "Measured points $(θ, s)$, joined by a spline of the fifth degree with a continuous jerk, whose derivatives are then exact. At its ends it takes $v$ and $a$ from its neighbours.",
-            "Puntos medidos $(θ, s)$, unidos por una spline de quinto grado con sobreaceleración continua, cuyas derivadas son después exactas. En los extremos toma $v$ y $a$ de sus vecinos.",
+            "Measured points $(θ, s)$, joined by a spline of the fifth degree with a continuous jerk, whose derivatives are then exact. At its ends it takes $v$ and $a$ from its neighbours. With a smoothing $δ$ it passes the inner points at that distance (root mean square) and has the least jerk that this allows.",
+            "Puntos medidos $(θ, s)$, unidos por una spline de quinto grado con sobreaceleración continua, cuyas derivadas son después exactas. En los extremos toma $v$ y $a$ de sus vecinos. Con un suavizado $δ$ se aparta de los puntos interiores esa media cuadrática y tiene la menor sobreaceleración que ello permite.",
         ),
         use_it: two(
             "To study an existing cam. Each derivative multiplies the errors of measurement: few points with many digits are better than many with few.",

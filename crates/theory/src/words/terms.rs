@@ -346,6 +346,30 @@ const PROGRAM: &[Term] = &[
         ..PLAIN
     },
     Term {
+        id: "knots",
+        symbol: "θ_k",
+        name: two("Knots of a spline", "Nudos de una spline"),
+        unit: DEGREES,
+        text: two(
+            "Where the polynomials of a B-spline join, from the start of the segment. Left out, each is the mean of as many neighbouring conditions as the degree. Knots close together let the curve turn faster there; each condition must lie within its own B-spline (Schoenberg and Whitney).",
+            "Donde se unen los polinomios de una B-spline, desde el comienzo del tramo. Si no se dan, cada uno es la media de tantas condiciones vecinas como indica el grado. Unos nudos próximos dejan que la curva cambie allí más deprisa; cada condición debe caer dentro de su propia B-spline (Schoenberg y Whitney).",
+        ),
+        theory: "bspline",
+        ..PLAIN
+    },
+    Term {
+        id: "smoothing",
+        symbol: "δ",
+        name: two("Smoothing of a table", "Suavizado de una tabla"),
+        unit: LENGTH,
+        text: two(
+            "How far the curve may pass from the measured points: the root mean square of the residuals at the inner points. Of all such curves it is the one with the least jerk. With 0 it goes through them all. A good value is the error of the measurement.",
+            "Cuánto puede separarse la curva de los puntos medidos: la media cuadrática de los residuos en los puntos interiores. De todas las curvas así es la de menor sobreaceleración. Con 0 pasa por todos. Un buen valor es el error de medida.",
+        ),
+        theory: "table",
+        ..PLAIN
+    },
+    Term {
         id: "points",
         symbol: "θ_k, s_k",
         name: two("Table of points", "Tabla de puntos"),

@@ -1,0 +1,126 @@
+/**
+ * Data of a free law that are typed or pasted as text: a formula, a list of numbers, a table.
+ *
+ * @import { Segment, ShellContext, State } from "./types.d.ts"
+ */
+import { h } from "./dom.js";
+import { mark } from "./help-mark.js";
+
+/** Lines of a long text that are seen at once. */
+const LINES = 6;
+
+let sessions = 0;
+
+/**
+ * What a text means: data for the segment (none take the field away), or the sentence that says what cannot be read.
+ * @typedef {{ data: unknown, problem?: undefined } | { problem: string, data?: undefined }} Meaning
+ */
+
+/**
+ * @typedef {object} Kind
+ * @property {string} key            the field of the segment, and its entry among the terms
+ * @property {boolean} [long]        several lines
+ * @property {(segment: Readonly<Segment>, language: "en" | "es") => string} write
+ * @property {(text: string, t: ShellContext["t"]) => Meaning} read
+ * @property {(segment: Segment, data: unknown, state: Readonly<State>, index: number) => void} [adopt]  what else follows from it
+ */
+
+/**
+ * @param {ShellContext} context
+ * @param {{ id: string, index: () => number }} place
+ * @param {Kind} kind
+ */
+export function createTextField({ store, t }, { id, index }, kind) {
+  const { key } = kind;
+  const fieldId = `${id}-${key}`;
+  const attributes = { id: fieldId, spellcheck: "false", autocomplete: "off" };
+  const input = kind.long ? h("textarea", { ...attributes, rows: LINES }) : h("input", { ...attributes, type: "text" });
+  const label = h("label", { for: fieldId, id: `${fieldId}-label` });
+  const hint = h("p", { class: "hint", id: `${fieldId}-hint` });
+  const error = h("p", { class: "error", hidden: true, id: `${fieldId}-error` });
+  const root = h("div", { class: "free-text" }, h("div", { class: "ask" }, label, mark(key, label.id)), input, error, hint);
+  const path = () => `segments[${index()}].${key}`;
+  /** @type {string | null} */
+  let problem = null;
+  let shown = "";
+  let session = "";
+
+  /** @param {Readonly<State>} state */
+  const segmentOf = (state) => state.design.segments[index()];
+
+  input.addEventListener("focus", () => {
+    session = `text:${++sessions}`;
+    store.set({ highlight: { segment: index() } });
+  });
+  input.addEventListener("blur", () => {
+    store.endGesture();
+    update(store.state);
+  });
+  input.addEventListener("input", () => {
+    const { data, problem: unread } = kind.read(input.value, t);
+    problem = unread ?? null;
+    if (problem === null) {
+      store.edit(
+        t(`edit.${key}`),
+        (draft) => {
+          const segment = draft.segments[index()];
+          if (!segment) return;
+          if (data === undefined) delete segment[key];
+          else Object.assign(segment, { [key]: data });
+          kind.adopt?.(segment, data, store.state, index());
+        },
+        { gesture: session },
+      );
+      const segment = segmentOf(store.state);
+      if (segment) shown = kind.write(segment, store.state.language);
+    }
+    update(store.state);
+  });
+
+  /** @param {Readonly<State>} state */
+  function update(state) {
+    const segment = segmentOf(state);
+    if (!segment) return;
+    const text = kind.write(segment, state.language);
+    if (text !== shown || (document.activeElement !== input && problem === null)) {
+      if (text !== shown) problem = null;
+      shown = text;
+      if (input.value !== text) input.value = text;
+    }
+    const own = state.error?.path === path() || state.error?.path.startsWith(`${path()}[`) ? state.error.message : null;
+    const message = problem ?? own ?? "";
+    error.hidden = message === "";
+    if (error.textContent !== message) error.textContent = message;
+    if (message) input.setAttribute("aria-invalid", "true");
+    else input.removeAttribute("aria-invalid");
+    input.setAttribute("aria-describedby", message ? `${error.id} ${hint.id}` : hint.id);
+  }
+
+  return {
+    root,
+    input,
+    error,
+    update,
+    readable: () => problem === null,
+
+    speak() {
+      label.textContent = t(`free.${key}`, { number: index() + 1 });
+      hint.textContent = t(`free.${key}.hint`);
+      update(store.state);
+    },
+
+    reset() {
+      problem = null;
+      shown = "";
+      update(store.state);
+    },
+
+    /** The place of the engine's complaint, when it is about this field. */
+    paths() {
+      const found = store.state.error?.path;
+      return found === path() || found?.startsWith(`${path()}[`) ? [found] : [];
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createTextField>} TextField */
