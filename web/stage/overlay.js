@@ -8,7 +8,7 @@ import { placeIn } from "./place.js";
 
 /**
  * @typedef {object} Row  one diagram as it lies under the overlay
- * @property {import("../types.d.ts").Diagram} diagram
+ * @property {import("../types.d.ts").Diagram} [diagram]  which it is, when it is one of the cam
  * @property {PlotArea} area
  * @property {number} x       of its canvas, CSS pixels
  * @property {number} y
