@@ -17,7 +17,11 @@ import { recall } from "./memory.js";
 export function createCompare(context, texts, engine) {
   /** @type {Promise<import("./compare/index.js").Comparison> | null} */
   let loading = null;
-  const load = () => (loading ??= import("./compare/index.js").then(({ startComparison }) => startComparison(context, engine, open)));
+  const load = () => (loading ??= begin());
+  async function begin() {
+    const [{ startComparison }] = await Promise.all([import("./compare/index.js"), context.whole()]);
+    return startComparison(context, engine, open);
+  }
   const open = texts.text(h("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }), "header.compare");
   const pin = h("button", { type: "button", class: "quiet", id: "pin", "aria-keyshortcuts": "C" }, "+");
   texts.attribute(pin, "aria-label", "header.pin");

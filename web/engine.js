@@ -1,9 +1,12 @@
 /**
- * The calculation: WebAssembly loaded once, and started again from the kept module should it ever panic.
+ * The calculation: WebAssembly, loaded in two parts, and started again from what was loaded should it ever panic.
  *
- * @import { ApplicationEntry, Catalogue, Design, Driven, Lab, Language, Opened, Read, Room, TieKey } from "./types.d.ts"
+ * The first part is what the first picture needs. What is asked of the rest before it is there traps; the engine then fetches it, starts
+ * afresh with both, and the design is analysed again.
+ *
+ * @import { ApplicationEntry, Design, Driven, Lab, Language, Opened, Read, Room, TieKey } from "./types.d.ts"
  */
-import { compile, glue } from "./module.js";
+import { compileFirst, compileRest, glue } from "./module.js";
 
 /** Stations of a turn that are drawn. */
 const SAMPLES = 720;
@@ -15,9 +18,8 @@ const RESTART_WINDOW = 10_000;
 /**
  * What the generated module offers.
  * @typedef {object} Module
- * @property {(options: { module_or_path: WebAssembly.Module }) => Promise<unknown>} default
+ * @property {(options: { module_or_path: WebAssembly.Module }) => Promise<WebAssembly.Exports>} default
  * @property {new () => Lab} Lab
- * @property {() => Omit<Catalogue, "first"> & { first: string }} catalogue
  * @property {(fragment: string, language: Language) => Read} open_link
  * @property {(design: unknown, language: Language) => Read} read_design
  * @property {(design: unknown, key: TieKey) => Room | null} room_for_second
@@ -31,15 +33,25 @@ const RESTART_WINDOW = 10_000;
  * @param {object} options
  * @param {() => Language} options.language
  * @param {(hopeless: boolean) => void} options.restarted  told after a panic, when the engine works again or never will
+ * @param {() => void} options.completed  told when the rest came after it had been asked for
  */
-export async function startEngine({ language, restarted }) {
-  const compiled = await compile();
+export async function startEngine({ language, restarted, completed }) {
+  const first = compileFirst();
+  /** Asked for once; again when it did not come. @type {Promise<WebAssembly.Module> | null} */
+  let rest = null;
+  /** True when the instance has both parts. */
+  let whole = false;
+  /** @type {Promise<void> | null} */
+  let completing = null;
+  /** @type {WebAssembly.Exports} */
+  let exports;
   let generation = 0;
   /** @type {number[]} */
   let panics = [];
   /** @type {Design | null} */
   let good = null;
   let restarting = false;
+  let recovery = Promise.resolve();
   /** @type {Module} */
   let module;
   /** @type {Lab} */
@@ -49,18 +61,43 @@ export async function startEngine({ language, restarted }) {
   async function instantiate() {
     /** @type {Module} */
     const fresh = await glue(generation++);
-    await fresh.default({ module_or_path: compiled });
+    exports = await fresh.default({ module_or_path: await first });
+    if (whole) await WebAssembly.instantiate(await remainder(), { first: exports });
     module = fresh;
     lab = new fresh.Lab();
   }
 
-  async function restart() {
-    if (restarting) return;
+  function remainder() {
+    rest ??= compileRest().catch((/** @type {unknown} */ error) => {
+      rest = null;
+      throw error;
+    });
+    return rest;
+  }
+
+  /** Puts the rest beside the first part, where both share everything. */
+  function complete() {
+    completing ??= (async () => {
+      try {
+        const second = await remainder();
+        if (!whole) await WebAssembly.instantiate(second, { first: exports });
+        whole = true;
+      } finally {
+        completing = null;
+      }
+    })();
+    return completing;
+  }
+
+  /** @param {boolean} early  that the rest was asked for is no panic */
+  async function restart(early) {
     restarting = true;
     const now = performance.now();
-    panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
+    if (!early) panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
     if (panics.length > RESTARTS) return restarted(true);
     try {
+      // The abandoned instance gets the rest too, in which its last objects are freed.
+      if (early || completing) await complete();
       await instantiate();
       if (good) lab.open(good, SAMPLES, language());
     } catch (error) {
@@ -68,7 +105,8 @@ export async function startEngine({ language, restarted }) {
       return restarted(true);
     }
     restarting = false;
-    restarted(false);
+    if (early) completed();
+    else restarted(false);
   }
 
   /**
@@ -92,11 +130,15 @@ export async function startEngine({ language, restarted }) {
    */
   function failed(error) {
     if (!(error instanceof WebAssembly.RuntimeError)) return restarting;
-    console.error(error);
-    void restart();
+    // A call through a slot that the rest has not filled yet; each browser says "null" in its own sentence.
+    const early = !whole && error.message.includes("null");
+    if (!early) console.error(error);
+    if (!restarting) recovery = restart(early);
     return true;
   }
 
+  // Links lead to all kinds of cam, so both parts are asked for at once.
+  if (location.hash !== "") void remainder().catch(() => {});
   await instantiate();
 
   return {
@@ -104,13 +146,22 @@ export async function startEngine({ language, restarted }) {
     /** A laboratory besides the page's own. */
     another: () => new module.Lab(),
     failed,
-    /** The module with everything that is not asked for at every visit. */
-    /** @returns {Promise<Module>} */
-    whole: async () => module,
-    /** @returns {Catalogue} */
-    catalogue() {
-      const { first, ...lists } = module.catalogue();
-      return { ...lists, first: JSON.parse(first) };
+    /** The module with everything that is not asked for at every visit. @returns {Promise<Module>} */
+    async whole() {
+      if (!whole) await complete();
+      await recovery;
+      return module;
+    },
+    /**
+     * What `work` gives, once more with both parts when the first one alone could not do it.
+     * @template Result
+     * @param {() => Result} work
+     */
+    async surely(work) {
+      const result = work();
+      if (!restarting) return result;
+      await recovery;
+      return work();
     },
 
     /**

@@ -19,10 +19,11 @@ const LARGEST = 1_000_000;
  * @param {Pick<FileEngine, "openFile">} engine
  * @returns {(file: File) => Promise<void>}
  */
-export function opener({ store, t, banner }, { openFile }) {
+export function opener({ store, t, banner, whole }, { openFile }) {
   return async (file) => {
     const text = file.size > LARGEST ? "" : await file.text().catch(() => "");
     const attempt = () => openFile(text, t("banner.file.json"));
+    await whole();
     const read = attempt();
     if (read.error) return banner.show("banner.file", () => ({ reason: sentence(attempt()) }));
     banner.hide();

@@ -9,6 +9,7 @@ import { createCompare } from "./compare.js";
 import { createFiles } from "./files.js";
 import { icon } from "./icons.js";
 import { createShare } from "./share.js";
+import { learn } from "./strings/index.js";
 import { createTexts } from "./texts.js";
 import { createTitleField } from "./title-field.js";
 
@@ -148,7 +149,10 @@ function createTheme({ store, t }) {
 function createLanguages({ store }, texts) {
   const buttons = LANGUAGES.map((language) => {
     const button = h("button", { type: "button", class: "quiet", lang: language }, language.toUpperCase());
-    button.addEventListener("click", () => store.set({ language }));
+    button.addEventListener("click", async () => {
+      await learn(language);
+      store.set({ language });
+    });
     button.title = language === "es" ? "Español" : "English";
     return { language, button };
   });

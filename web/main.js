@@ -17,14 +17,17 @@ import { createFormat } from "./numbers.js";
 import * as readouts from "./readouts.js";
 import { shelve } from "./shelf.js";
 import { store } from "./store.js";
-import { createTranslate } from "./strings/index.js";
+import { createTranslate, learn } from "./strings/index.js";
 import * as transport from "./transport.js";
 import * as verdict from "./verdict.js";
+import { CATALOGUE as catalogue } from "./pkg/catalogue.js";
 
 const language = () => store.state.language;
 const t = createTranslate(language);
 const format = createFormat(language);
 const banner = createBanner(element("banner"), t);
+/** True once a design is on screen. */
+let started = false;
 
 store.set(appearance.rememberedView(store.state));
 appearance.follow(store);
@@ -37,8 +40,7 @@ try {
 }
 
 async function start() {
-  const engine = await startEngine({ language, restarted });
-  const catalogue = engine.catalogue();
+  const [engine] = await Promise.all([startEngine({ language, restarted, completed }), learn(language())]);
   const example = catalogue.first;
   shelve(example);
 
@@ -48,9 +50,18 @@ async function start() {
       if (!engine.failed(error)) throw error;
     },
   });
-  addEventListener("error", ({ error }) => void engine.failed(error));
-  const first = firstDesign(engine, example);
-  if (!store.start(first.design)) store.start(example);
+  // The engine tells of its own failures.
+  addEventListener("error", (event) => {
+    if (engine.failed(event.error)) event.preventDefault();
+  });
+  addEventListener("unhandledrejection", (event) => {
+    if (engine.failed(event.reason)) event.preventDefault();
+  });
+  const first = await engine.surely(() => {
+    const found = firstDesign(engine, example);
+    if (!store.start(found.design)) store.start(example);
+    return found;
+  });
 
   /** @type {ShellContext} */
   const context = { store, lab: engine.lab, t, format, catalogue, banner, announce, room: engine.room, whole: engine.whole };
@@ -74,10 +85,16 @@ async function start() {
     banner.refresh();
     store.reanalyse();
   });
+  started = true;
   store.drawNow();
   performance.mark("levalab:drawn");
   const idle = globalThis.requestIdleCallback ?? ((/** @type {() => void} */ work) => setTimeout(work, 200));
-  idle(() => void import("./afterwards.js").then(({ begin }) => begin(context, engine)));
+  idle(() => void import("./afterwards.js").then(({ begin }) => begin(context, engine)).catch(console.error));
+}
+
+/** The rest of the calculation came when it had been missed: what could not be drawn without it is drawn now. */
+function completed() {
+  if (started) store.reanalyse();
 }
 
 /** @param {boolean} hopeless */

@@ -1,9 +1,17 @@
-/** Where the calculation comes from: two files beside the page. The single-file page has `module-inline.js` in this one's place. */
+/** Where the calculation comes from: files beside the page. The single-file page has `module-inline.js` in this one's place. */
 
-/** @returns {Promise<WebAssembly.Module>} */
-export async function compile() {
-  const url = new URL("./pkg/levalab_wasm_bg.wasm", import.meta.url);
-  const response = await fetch(url);
+/** What the first picture needs. */
+export const compileFirst = () => compile("./pkg/levalab_first.wasm");
+
+/** All else: it works in the memory of the first part, whose exports it imports. */
+export const compileRest = () => compile("./pkg/levalab_rest.wasm");
+
+/**
+ * @param {string} file
+ * @returns {Promise<WebAssembly.Module>}
+ */
+async function compile(file) {
+  const response = await fetch(new URL(file, import.meta.url));
   if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
   if (response.headers.get("content-type")?.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
   return WebAssembly.compile(await response.arrayBuffer());

@@ -31,7 +31,7 @@ export const SHAPES = {
  * @param {ShellContext} context
  */
 export function mount(root, context) {
-  const { store, lab, t, announce, catalogue } = context;
+  const { store, lab, t, announce, catalogue, whole } = context;
   const parameters = [...catalogue.followers, ...catalogue.laws].flatMap((entry) => entry.parameters.map(({ key }) => key));
   /** Keys of the design that have a name in the strings. */
   const named = new Set(["base_radius", "beta", "rise", ...parameters]);
@@ -105,7 +105,10 @@ export function mount(root, context) {
   }
 
   /** Finding the cures takes many analyses. */
-  const lookForCures = atRest(() => {
+  const lookForCures = atRest(async () => {
+    const { report } = store.state;
+    if (items.length > 0) await whole();
+    if (store.state.report !== report) return;
     const cures = items.length > 0 ? lab().cures(store.state.language) : [];
     items.forEach((item, index) => item.prescribe(cures[index] ?? []));
   });

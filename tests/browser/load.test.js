@@ -1,7 +1,11 @@
 // The packed page opens anywhere, and keeps to itself.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { drawn } from "./browser.js";
 import { openPage } from "./harness.js";
+import { becomes, eventually, field, fragment, level } from "./user.js";
+
+/** @typedef {import("playwright-core").Page} Page */
 
 test("the page draws under any path, within its policy, asking no other host", async (t) => {
   const { page } = await openPage(t);
@@ -17,13 +21,59 @@ test("the policy allows nothing but the page's own files", async (t) => {
   }
 });
 
-test("the module arrives once, asked for before the script that uses it runs", async (t) => {
+test("what the first picture needs of the module arrives once, asked for before the script that uses it runs", async (t) => {
   const { page } = await openPage(t);
   const loads = await page.evaluate(() =>
     performance.getEntriesByType("resource").map(({ name, startTime }) => ({ name, startTime })),
   );
-  const modules = loads.filter(({ name }) => name.endsWith(".wasm"));
+  const modules = loads.filter(({ name }) => name.endsWith("levalab_first.wasm"));
   const script = loads.find(({ name }) => name.endsWith("main.js"));
   assert.equal(modules.length, 1);
   assert(script && modules[0].startTime < script.startTime + 50, "the hint in index.html was not used");
+});
+
+/** The rest of the module waits until it is let through. @param {Page} page */
+async function withhold(page) {
+  /** @type {() => void} */
+  let release = () => {};
+  const gate = new Promise((resolve) => (release = () => resolve(undefined)));
+  let asked = false;
+  await page.route("**/levalab_rest.wasm", async (route) => {
+    asked = true;
+    await gate;
+    await route.continue();
+  });
+  return { release, asked: () => asked };
+}
+
+for (const locale of ["en-GB", "es-ES"]) {
+  test(`the first picture and an edit need no other part of the module (${locale})`, async (t) => {
+    const { page, url } = await openPage(t, { locale, ready: false, fragment: "" });
+    const rest = await withhold(page);
+    await page.goto("about:blank");
+    await page.goto(url);
+    await drawn(page);
+    await becomes(() => level(page), "low-speed");
+    await field(page, "base_radius").fill("36");
+    await becomes(() => fragment(page), /\.R36_7/);
+    assert.equal(await level(page), "low-speed");
+    rest.release();
+    await eventually(() => page.locator("#verdict .cures button").count(), (count) => assert(count > 0, "no cure is offered"));
+  });
+}
+
+/** A polynomial through nine conditions. */
+const GAIT = "1.Example_R6.R2_1uiw12.566N256.32s0v0a0s56.88_1.177s123.84_.847s198.72_1.139s256.32v256.32a256.32D103.68.1VXCG1";
+
+test("what the first part cannot do waits for the rest, and is done then", async (t) => {
+  const { page, url } = await openPage(t, { ready: false });
+  const rest = await withhold(page);
+  await page.goto("about:blank");
+  await page.goto(`${url}#${GAIT}`);
+  await page.waitForTimeout(300);
+  assert(rest.asked(), "a link asks for the rest at once");
+  rest.release();
+  await drawn(page);
+  await becomes(() => page.title(), /^Example R6/);
+  await becomes(() => field(page, "base_radius").inputValue(), "2");
 });

@@ -1,29 +1,10 @@
 // What somebody does on the page and what they see there, in the words of the page itself.
 import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { root } from "./browser.js";
-import { compareEn } from "../../web/strings/compare.en.js";
-import { compareEs } from "../../web/strings/compare.es.js";
-import { en as enShell } from "../../web/strings/en.js";
-import { es as esShell } from "../../web/strings/es.js";
 import { addStrings, createTranslate } from "../../web/strings/index.js";
-import { exportsEn } from "../../web/strings/exports.en.js";
-import { exportsEs } from "../../web/strings/exports.es.js";
-import { freeEn } from "../../web/strings/free.en.js";
-import { freeEs } from "../../web/strings/free.es.js";
-import { filesEn } from "../../web/strings/files.en.js";
-import { filesEs } from "../../web/strings/files.es.js";
-import { helpEn } from "../../web/strings/help.en.js";
-import { helpEs } from "../../web/strings/help.es.js";
-import { parametersEn } from "../../web/strings/parameters.en.js";
-import { parametersEs } from "../../web/strings/parameters.es.js";
-import { kindsEn } from "../../web/strings/kinds.en.js";
-import { kindsEs } from "../../web/strings/kinds.es.js";
-import { stageEn } from "../../web/strings/stage.en.js";
-import { stageEs } from "../../web/strings/stage.es.js";
-import { unitsEn } from "../../web/strings/units.en.js";
-import { unitsEs } from "../../web/strings/units.es.js";
 import { openPage } from "./harness.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -32,10 +13,18 @@ import { openPage } from "./harness.js";
 
 /** @typedef {(key: string, values?: Record<string, string | number>) => string} Words */
 
-const onDemand = { en: { ...filesEn, ...helpEn, ...compareEn, ...kindsEn, ...parametersEn, ...exportsEn, ...unitsEn, ...freeEn }, es: { ...filesEs, ...helpEs, ...compareEs, ...kindsEs, ...parametersEs, ...exportsEs, ...unitsEs, ...freeEs } };
-addStrings(onDemand);
-export const en = words("en", { ...enShell, ...stageEn, ...onDemand.en });
-export const es = words("es", { ...esShell, ...stageEs, ...onDemand.es });
+const strings = new URL("../../web/strings/", import.meta.url);
+
+/** All that the page can say: every file of strings. @param {"en" | "es"} language @returns {Promise<Record<string, string>>} */
+async function spoken(language) {
+  const names = readdirSync(strings).filter((name) => name.endsWith(`${language}.js`));
+  const files = await Promise.all(names.map((name) => import(new URL(name, strings).href)));
+  return Object.assign({}, ...files.flatMap((file) => Object.values(file)));
+}
+const all = { en: await spoken("en"), es: await spoken("es") };
+addStrings(all);
+export const en = words("en", all.en);
+export const es = words("es", all.es);
 
 /**
  * The page's own words, and no others: a key that is gone should not go unnoticed.

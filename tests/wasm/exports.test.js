@@ -9,7 +9,7 @@ import { initSync, make } from "../../web/pkg/levalab_export_wasm.js";
 const root = path.resolve(import.meta.dirname, "../..");
 const { LEVALAB_CLI: cli, LEVALAB_MODULE: module } = process.env;
 assert(cli && module, "LEVALAB_CLI and LEVALAB_MODULE name what to compare: run `cargo xtask test wasm`");
-initSync({ module: readFileSync(path.join(path.dirname(module), "levalab_export_wasm_bg.wasm")) });
+initSync({ module: readFileSync(path.join(module, "levalab_export_wasm_bg.wasm")) });
 
 /** Only sin, cos and their like may differ, in the last digits, and tables keep twelve of them. */
 const TOLERANCE = 1e-9;

@@ -1,18 +1,22 @@
 /**
- * The page's words, one file a language; `stage.*.js` hold those of the mechanism, diagrams and readouts.
+ * The page's words, one file a language, loaded when that language is wanted; `stage.*.js` hold those of the mechanism, diagrams and readouts.
  *
  * @import { Language, Translate } from "../types.d.ts"
  */
-import { en } from "./en.js";
-import { es } from "./es.js";
-import { stageEn } from "./stage.en.js";
-import { stageEs } from "./stage.es.js";
 
 /** A sentence, or its forms by number: `{ one: "{count} joint", other: "{count} joints" }`. */
 /** @typedef {string | { one: string, other: string }} Phrase */
 
 /** @type {Record<Language, Record<string, Phrase>>} */
-const LANGUAGES = { en: { ...en, ...stageEn }, es: { ...es, ...stageEs } };
+const LANGUAGES = { en: {}, es: {} };
+
+/** What every visit needs. @type {Record<Language, () => Promise<Record<string, Record<string, Phrase>>>>} */
+const PAGE = { en: () => import("./page.en.js"), es: () => import("./page.es.js") };
+
+/** Loads the words of a language, before it is first spoken. @param {Language} language */
+export async function learn(language) {
+  Object.assign(LANGUAGES[language], ...Object.values(await PAGE[language]()));
+}
 
 /**
  * The words of a part of the page that is loaded when it is first asked for.

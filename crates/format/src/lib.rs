@@ -21,6 +21,7 @@
 //! Not here: words for people, files on disk.
 
 mod application;
+mod catalogue;
 mod check;
 mod compare;
 mod convert;
@@ -45,6 +46,7 @@ mod units;
 mod write;
 
 pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy};
+pub use catalogue::Catalogue;
 pub use compare::{Contender, Figures, by_law, tournament};
 pub use cure::{DesignCure, Edit, Remedy, apply, cures};
 pub use data::{data_key, entry as data_entry};

@@ -5,7 +5,6 @@
 //! tables of a second one would be a fifth of this module.
 
 mod application;
-mod catalogue;
 mod compare;
 mod convert;
 mod diagrams;
@@ -25,7 +24,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { Catalogue, ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
+import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
 "#;
 
 /// What is wrong, where, in the language of the page.
@@ -48,15 +47,6 @@ struct PageRoom {
 enum Read {
     Design(Box<Design>),
     Error(Failure),
-}
-
-/// Everything that forms are built from.
-///
-/// # Errors
-/// Never: the lists are plain.
-#[wasm_bindgen(unchecked_return_type = "Catalogue")]
-pub fn catalogue() -> Result<JsValue, JsError> {
-    object(&catalogue::Catalogue::new())
 }
 
 /// The design of a share link, given with or without its `#`.

@@ -15,7 +15,7 @@ use walkdir::WalkDir;
 use crate::{
     html::{self, Kind, Load},
     offline,
-    page::{MODULE, Page},
+    page::Page,
     process::{self, told},
     project, setup, single,
     size::{Size, kilobytes},
@@ -84,7 +84,7 @@ fn write() -> Result<Packed> {
         scripts: &whole,
         packed: &folder,
         theory: &dist.join("theory"),
-        module: MODULE,
+        module: &wasm::package().join(wasm::WHOLE),
     };
     fs::write(dist.join(single::FILE), single.page()?).context(single::FILE)?;
     Ok(Packed { folder, first: page.first() })
@@ -112,7 +112,7 @@ fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<Vec<String>> {
     serde_json::from_slice(&output.stdout).context("bundle.js printed no JSON")
 }
 
-/// The module, icons and the like keep the place they have under `web/`.
+/// The module's parts, icons and the like keep the place they have under `web/`.
 fn copy_others(fresh: &Path) -> Result<()> {
     let web = project::path("web");
     for entry in WalkDir::new(&web) {
@@ -123,13 +123,17 @@ fn copy_others(fresh: &Path) -> Result<()> {
             .path()
             .extension()
             .is_none_or(|extension| ["js", "ts", "css", "md"].iter().any(|other| extension == *other));
-        if entry.file_type().is_file() && !hidden && !joined {
+        // Shipped in its parts.
+        let whole = entry.file_name() == wasm::WHOLE;
+        if entry.file_type().is_file() && !hidden && !joined && !whole {
             let place = fresh.join(relative);
             fs::create_dir_all(place.parent().unwrap_or(fresh))?;
             fs::copy(entry.path(), &place).with_context(|| place.display().to_string())?;
         }
     }
-    ensure!(fresh.join(MODULE).is_file(), "{MODULE} is missing");
+    for part in [wasm::FIRST, wasm::REST] {
+        ensure!(fresh.join("pkg").join(part).is_file(), "{part} is missing");
+    }
     Ok(())
 }
 
@@ -192,6 +196,7 @@ fn print_sizes(packed: &Packed) -> Result<()> {
         if !packed.first.contains(&name) {
             let when = match name.as_str() {
                 offline::WORKER => "once drawn",
+                name if name.ends_with(wasm::REST) => "once drawn",
                 single::FILE => "instead of all",
                 _ => "on demand",
             };

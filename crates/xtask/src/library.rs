@@ -1,4 +1,5 @@
-//! The examples library as a script of the page: designs from `examples/`, words from `crates/words/examples.json`.
+//! Lists as scripts of the page: what its forms are built from, and the examples library (designs from `examples/`, words from
+//! `crates/words/examples.json`).
 
 use std::fs;
 use std::path::Path;
@@ -6,23 +7,35 @@ use std::path::Path;
 use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
-use crate::project;
+use crate::{
+    process::{self, cargo},
+    project,
+};
 
 /// What to look at in each, in every language.
 const NOTES: &str = "crates/words/examples.json";
 
-/// Writes `examples.js` into the folder of generated files, when it has changed.
+/// Writes `catalogue.js` and `examples.js` into the folder of generated files, when they have changed.
 pub fn write(folder: &Path) -> Result<()> {
-    let place = folder.join("examples.js");
-    let script = format!(
-        "/** Made from examples/: change the files there. */\nexport const EXAMPLES = {};\n",
-        serde_json::to_string(&library()?)?
+    let examples = serde_json::to_string(&library()?)?;
+    let examples =
+        format!("/** Made from examples/: change the files there. */\nexport const EXAMPLES = {examples};\n");
+    write_script(&folder.join("examples.js"), &examples)?;
+    let mut lists = cargo(["run", "--quiet", "--package", "levalab-format", "--example", "catalogue"]);
+    let lists = process::printed(&mut lists)?;
+    let of = "@type {import(\"../types.d.ts\").Catalogue}";
+    let lists = format!(
+        "/** Made from the lists of crates/core and crates/format. {of} */\nexport const CATALOGUE = {lists};\n"
     );
-    if fs::read_to_string(&place).is_ok_and(|found| found == script) {
+    write_script(&folder.join("catalogue.js"), &lists)
+}
+
+fn write_script(place: &Path, script: &str) -> Result<()> {
+    if fs::read_to_string(place).is_ok_and(|found| found == script) {
         return Ok(());
     }
-    fs::create_dir_all(folder).context("web/pkg")?;
-    fs::write(&place, script).context("web/pkg/examples.js")
+    fs::create_dir_all(place.parent().unwrap_or(place)).context("web/pkg")?;
+    fs::write(place, script).with_context(|| place.display().to_string())
 }
 
 /// The entries in the order of the notes: id, group, design, and title and note in each language.

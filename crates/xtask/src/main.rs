@@ -6,6 +6,7 @@ mod html;
 mod library;
 mod offline;
 mod page;
+mod parting;
 mod process;
 mod project;
 mod serve;

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use crate::html::{self, Kind, Load};
+use crate::{
+    html::{self, Kind, Load},
+    wasm,
+};
 
-/// The module's file, relative to the packed folder.
-pub const MODULE: &str = "pkg/levalab_wasm_bg.wasm";
-
-/// Its JavaScript, likewise.
+/// The module's JavaScript, relative to the packed folder.
 const GLUE: &str = "pkg/levalab_wasm.js";
 
 /// The packed page.
@@ -49,13 +49,13 @@ impl<'a> Page<'a> {
             Kind::Style(_) | Kind::Hint | Kind::Page => None,
         }));
         first.extend(self.early());
-        first.push(self.packed(MODULE));
+        first.push(self.module_file());
         first
     }
 
     /// The script, and hints to fetch all it needs at the same time, not one after the other.
     fn module(&self, load: &Load) -> String {
-        let wasm = self.packed(MODULE);
+        let wasm = self.module_file();
         let mut tags =
             vec![format!("<link rel=\"preload\" href=\"{wasm}\" as=\"fetch\" type=\"application/wasm\" crossorigin>")];
         tags.extend(self.early().map(|part| format!("<link rel=\"modulepreload\" href=\"{part}\">")));
@@ -67,6 +67,11 @@ impl<'a> Page<'a> {
     fn early(&self) -> impl Iterator<Item = String> {
         let parts = self.parts.iter().map(String::as_str);
         parts.chain([GLUE]).map(|part| self.packed(part))
+    }
+
+    /// The part of the module that the first picture needs.
+    fn module_file(&self) -> String {
+        self.packed(&format!("pkg/{}", wasm::FIRST))
     }
 
     fn packed(&self, file: &str) -> String {

@@ -29,8 +29,8 @@ pub struct Parts<'a> {
     pub packed: &'a Path,
     /// The folder of the pages of theory.
     pub theory: &'a Path,
-    /// The module in it.
-    pub module: &'a str,
+    /// The module, whole.
+    pub module: &'a Path,
 }
 
 impl Parts<'_> {
@@ -64,7 +64,7 @@ impl Parts<'_> {
             Kind::Other if load.tag.contains("rel=\"icon\"") => icon.clone(),
             _ => String::new(),
         });
-        let module = BASE64.encode(fs::read(self.packed.join(self.module)).context("the module")?);
+        let module = BASE64.encode(fs::read(self.module).context("the module")?);
         let data = format!("<script type=\"application/wasm;base64\" id=\"levalab-module\">{module}</script>\n  ");
         let terms = ["en", "es"]
             .into_iter()

@@ -10,7 +10,7 @@ use std::{
 use anyhow::{Context, Result, anyhow, bail};
 
 use crate::{
-    dist, page,
+    dist,
     process::{self, cargo, node, seconds},
     project,
     setup::{self, WASM, WasmCompiler},
@@ -163,7 +163,7 @@ fn packs(bench: &Bench) -> Result<()> {
 fn wasm_against_native(bench: &Bench) -> Result<()> {
     let packed = bench.packed()?;
     let mut command = node_test("tests/wasm/*.test.js")?;
-    command.env("LEVALAB_CLI", command_line()?).env("LEVALAB_MODULE", packed.join(page::MODULE));
+    command.env("LEVALAB_CLI", command_line()?).env("LEVALAB_MODULE", packed.join("pkg"));
     process::run(&mut command)
 }
 

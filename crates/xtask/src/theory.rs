@@ -11,8 +11,8 @@ pub const SHEETS: [&str; 3] = ["web/styles/theory.css", "web/styles/help.css", "
 
 /// Brings `web/theory/` up to date.
 pub fn build() -> Result<()> {
-    let followers = printed(&mut writer("followers"))?;
-    let assets = printed(&mut process::node(["crates/theory/assets/assets.js", &followers]))?;
+    let followers = process::printed(&mut writer("followers"))?;
+    let assets = process::printed(&mut process::node(["crates/theory/assets/assets.js", &followers]))?;
     let mut writing = writer("web/theory").stdin(Stdio::piped()).spawn().context("cargo did not start")?;
     writing.stdin.take().context("no standard input")?.write_all(assets.as_bytes())?;
     ensure!(writing.wait()?.success(), "the pages of theory were not written");
@@ -21,13 +21,6 @@ pub fn build() -> Result<()> {
 
 fn writer(argument: &str) -> std::process::Command {
     cargo(["run", "--quiet", "--package", "levalab-theory", "--", argument])
-}
-
-fn printed(command: &mut std::process::Command) -> Result<String> {
-    let name = command.get_program().to_string_lossy().into_owned();
-    let output = command.stderr(Stdio::inherit()).output().with_context(|| format!("{name} did not start"))?;
-    ensure!(output.status.success(), "{name} failed");
-    Ok(String::from_utf8(output.stdout)?)
 }
 
 /// Moves the pages out of the packed folder to an address that stays the same from release to release.

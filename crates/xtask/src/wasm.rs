@@ -1,19 +1,21 @@
 //! The machine room of the page: Rust to wasm, its JavaScript glue, and the optimiser, into `web/pkg/`. There are two modules: what
-//! every visit loads, and what is loaded when somebody wants a file.
+//! every visit loads, in two parts, and what is loaded when somebody wants a file.
 
 use std::{
+    collections::HashSet,
     env,
     ffi::{OsStr, OsString},
     fs,
     path::{Path, PathBuf},
-    process::Command,
+    process::{Command, Stdio},
 };
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::{
     library,
+    parting::{self, Parts},
     process::{self, run, told},
     project,
     setup::{self, WASM, WasmCompiler},
@@ -48,13 +50,28 @@ const FEATURES: [&str; 6] = [
 ];
 
 /// The crates that become modules, each by itself: what one asks of a crate below must not swell the other.
-const MODULES: [&str; 2] = ["levalab-wasm", EXPORTS];
+const MODULES: [&str; 2] = [PAGE, EXPORTS];
+
+/// The module that every visit loads.
+const PAGE: &str = "levalab-wasm";
+
+/// Its file, whole.
+pub const WHOLE: &str = "levalab_wasm_bg.wasm";
+
+/// The file of its first part, which is what the first picture needs.
+pub const FIRST: &str = "levalab_first.wasm";
+
+/// The file of all else.
+pub const REST: &str = "levalab_rest.wasm";
+
+/// A module with nothing in it: the rest, where the first part is the whole.
+const EMPTY: [u8; 8] = *b"\0asm\x01\0\0\0";
 
 /// The module whose libraries write numbers by their `Debug` form, which must not be taken from them.
 const EXPORTS: &str = "levalab-export-wasm";
 
 /// Part of the stamp: raise it when the steps below change what they write.
-const RECIPE: &str = "3";
+const RECIPE: &str = "4";
 
 /// What makes the module smaller when the standard library is built from source with it: a panic stops at once instead of
 /// making a sentence that nobody reads, and carries neither places nor the `Debug` forms of values.
@@ -98,7 +115,7 @@ fn build_module(name: &str, build: Build) -> Result<()> {
     if build == Build::Shipped {
         setup::node_modules()?;
     }
-    told("writing web/pkg", || write_package(&module, build))?;
+    told("writing web/pkg", || write_package(name, &module, build))?;
     fs::write(&stamp_file, stamp).with_context(|| stamp_file.display().to_string())
 }
 
@@ -201,19 +218,25 @@ fn stamp(module: &Path, build: Build) -> Result<String> {
     let bytes = fs::read(module).with_context(|| module.display().to_string())?;
     let mut checksum = flate2::Crc::new();
     checksum.update(&bytes);
+    // Where the module is parted.
+    checksum.update(include_bytes!("first-picture.js"));
     Ok(format!("{RECIPE} {} {} {:08x}", build.profile(), bytes.len(), checksum.sum()))
 }
 
 /// Writes the glue and the module beside their places, then moves them in, so that no half-written file is ever served.
-fn write_package(module: &Path, build: Build) -> Result<()> {
+fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
     let fresh = project::target()?.join("pkg");
     if fresh.exists() {
         fs::remove_dir_all(&fresh).context("target/pkg")?;
     }
     write_glue(module, &fresh)?;
+    let glue = fresh.join(file_stem(name) + ".js");
+    let module = fresh.join(file_stem(name) + "_bg.wasm");
     if build == Build::Shipped {
-        let stem = module.file_stem().unwrap_or_default().to_string_lossy();
-        optimise(&fresh.join(format!("{stem}_bg.wasm")))?;
+        optimise(&module)?;
+    }
+    if name == PAGE {
+        part(&glue, &module, build)?;
     }
     let package = package();
     fs::create_dir_all(&package).context("web/pkg")?;
@@ -223,6 +246,38 @@ fn write_package(module: &Path, build: Build) -> Result<()> {
         fs::rename(entry.path(), &place).with_context(|| place.display().to_string())?;
     }
     Ok(())
+}
+
+/// Parts a module that is shipped; else its first part is the whole, and the rest is empty.
+fn part(glue: &Path, module: &Path, build: Build) -> Result<()> {
+    let whole = fs::read(module)?;
+    let parts = match build {
+        Build::Quick => Parts { first: whole, rest: EMPTY.into() },
+        Build::Shipped => parting::part(&whole, &entered(glue, &whole)?)?,
+    };
+    for (file, bytes) in [(FIRST, parts.first), (REST, parts.rest)] {
+        let place = module.with_file_name(file);
+        fs::write(&place, bytes)?;
+        if build == Build::Shipped {
+            optimise(&place)?;
+        }
+    }
+    Ok(())
+}
+
+/// The numbers of the functions that the first picture enters.
+fn entered(glue: &Path, whole: &[u8]) -> Result<HashSet<usize>> {
+    let watched = glue.with_extension("watched");
+    // Node takes it for a module by its ending alone.
+    let script = glue.with_extension("mjs");
+    fs::write(&watched, parting::watched(whole)?)?;
+    fs::copy(glue, &script)?;
+    let mut picture = process::node([Path::new("crates/xtask/src/first-picture.js"), &script, &watched]);
+    let output = picture.stderr(Stdio::inherit()).output().context("node did not start")?;
+    ensure!(output.status.success(), "the first picture could not be drawn");
+    fs::remove_file(watched)?;
+    fs::remove_file(script)?;
+    serde_json::from_slice(&output.stdout).context("first-picture.js printed no JSON")
 }
 
 fn write_glue(module: &Path, folder: &Path) -> Result<()> {

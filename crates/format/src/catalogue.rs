@@ -1,12 +1,13 @@
-//! What the page's forms are built from: laws, followers and units, straight from the lists of the crates inside.
+//! What forms are built from: laws, followers and units, straight from the lists of this crate and of the core.
 
 use levalab_core::law::{Arguments, Group, LAWS, Law};
 use levalab_core::{FOLLOWERS, FollowerKind, MAX_SEGMENTS, MAX_SIDES, Parameter, Quantity, sharpest_base_radius};
-use levalab_format::{
-    BreadthGenerator, CamKind, FIRST_EXAMPLE, LengthUnit, SpeedUnit, data_entry, limits, misfit, motion_and_contact,
-};
 use serde::Serialize;
 use serde_json::Value;
+
+use crate::{
+    BreadthGenerator, CamKind, FIRST_EXAMPLE, LengthUnit, SpeedUnit, data_entry, limits, misfit, motion_and_contact,
+};
 
 /// Everything a form can offer.
 #[derive(Serialize)]
@@ -18,8 +19,8 @@ pub struct Catalogue {
     polygons: Vec<Polygon>,
     length_units: Vec<&'static str>,
     speed_units: Vec<&'static str>,
-    /// The design that the page opens with, a file as text: the page reads it with its own JSON, and this module carries none.
-    first: &'static str,
+    /// The design that the page opens with.
+    first: Value,
     limits: Limits,
 }
 
@@ -71,9 +72,9 @@ struct Limits {
     link: usize,
 }
 
-impl Catalogue {
-    /// Gathers it.
-    pub fn new() -> Self {
+/// Gathers it.
+impl Default for Catalogue {
+    fn default() -> Self {
         Self {
             laws: LAWS.iter().map(|law| LawEntry::of(law)).collect(),
             followers: FOLLOWERS.iter().map(|kind| FollowerEntry::of(kind)).collect(),
@@ -82,7 +83,7 @@ impl Catalogue {
             polygons: (3..=MAX_SIDES).step_by(2).map(Polygon::of).collect(),
             length_units: LengthUnit::ALL.map(LengthUnit::symbol).into(),
             speed_units: SpeedUnit::ALL.map(|unit| unit.symbol(LengthUnit::default())).into(),
-            first: FIRST_EXAMPLE,
+            first: serde_json::from_str(FIRST_EXAMPLE).unwrap_or_default(),
             limits: Limits { segments: MAX_SEGMENTS, title: limits::MAX_TITLE, link: limits::MAX_LINK_MADE },
         }
     }
@@ -149,7 +150,7 @@ impl ParameterEntry {
     }
 }
 
-/// Acceleration at 49 even steps of a unit rise, scaled to ±1.
+/// Acceleration at 49 even steps of a unit rise, scaled to ±1, in hundredths: it is drawn as large as a word.
 fn thumbnail(law: &Law) -> Vec<f64> {
     const STEPS: usize = 48;
     let arguments = Arguments { parameters: law.default_parameters(), falling: false, beta: 1.0 };
@@ -158,5 +159,6 @@ fn thumbnail(law: &Law) -> Vec<f64> {
     let values: Vec<f64> = (0..=STEPS).map(|i| at(i as f64 / STEPS as f64)).collect();
     let peak = values.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
     // Rounding shows as noise where the acceleration is nothing at all.
-    if peak < 1e-9 { vec![0.0; STEPS + 1] } else { values.iter().map(|value| value / peak).collect() }
+    let scaled = |value: &f64| if peak < 1e-9 { 0.0 } else { (value / peak * 100.0).round() / 100.0 + 0.0 };
+    values.iter().map(scaled).collect()
 }

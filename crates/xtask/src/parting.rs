@@ -1,0 +1,187 @@
+//! The page's module in two parts: what the first picture needs, and the rest, which follows while that picture is looked at.
+//!
+//! Which functions the first picture needs is not guessed: a watched copy of the module draws it (`first-picture.js`) and tells what it
+//! entered. In the first part every other function is a stub that calls through the table; the rest, once there, puts its functions into
+//! that table. Memory, tables and globals are one, so nothing has to be started afresh. A stub that is called too early finds an empty
+//! slot, which is a trap: `web/engine.js` then waits for the rest.
+
+use std::collections::{HashMap, HashSet};
+
+use anyhow::{Context, Result, ensure};
+use walrus::{
+    ConstExpr, ElementItems, ElementKind, ExportItem, FunctionBuilder, FunctionId, FunctionKind, GlobalKind,
+    ImportedFunction, Module, ModuleConfig, TableId, ValType,
+    ir::{Value, Visitor, dfs_in_order},
+    passes::gc,
+};
+
+/// The module whose exports the rest imports.
+const FIRST: &str = "first";
+
+/// What the watched module exports for each of its own functions, with its number: 1 once it was entered.
+pub const ENTERED: &str = "entered";
+
+/// Both parts, as files.
+pub struct Parts {
+    /// What the first picture needs.
+    pub first: Vec<u8>,
+    /// All else.
+    pub rest: Vec<u8>,
+}
+
+/// The module with a flag for each of its own functions that goes up when the function is entered.
+pub fn watched(module: &[u8]) -> Result<Vec<u8>> {
+    let mut module = parsed(module)?;
+    for (number, id) in own_functions(&module).into_iter().enumerate() {
+        let flag = module.globals.add_local(ValType::I32, true, false, ConstExpr::Value(Value::I32(0)));
+        module.exports.add(&format!("{ENTERED}{number}"), flag);
+        let body = module.funcs.get_mut(id).kind.unwrap_local_mut().builder_mut();
+        body.func_body().const_at(0, Value::I32(1)).global_set_at(1, flag);
+    }
+    Ok(module.emit_wasm())
+}
+
+/// Parts a module; `entered` holds the numbers of the functions that the first picture entered.
+pub fn part(module: &[u8], entered: &HashSet<usize>) -> Result<Parts> {
+    ensure!(!entered.is_empty(), "the first picture entered no function");
+    let early = with_small_ones(&parsed(module)?, entered);
+    let (rest, needed) = rest(module, &early)?;
+    Ok(Parts { first: first(module, &early, &needed)?, rest })
+}
+
+/// The functions of the first part: those that were entered, and the small ones that they call. Which turn a sort or a number takes
+/// depends on the data, and leaving those out would save little.
+fn with_small_ones(module: &Module, entered: &HashSet<usize>) -> HashSet<usize> {
+    let functions: Vec<_> = module.funcs.iter_local().collect();
+    let numbers: HashMap<_, _> = functions.iter().enumerate().map(|(number, &(id, _))| (id, number)).collect();
+    let mut called = Called(HashSet::new());
+    for &number in entered {
+        let function = functions[number].1;
+        dfs_in_order(&mut called, function, function.entry_block());
+    }
+    let small = called.0.iter().filter_map(|id| numbers.get(id)).filter(|&&number| functions[number].1.size() <= SMALL);
+    entered.iter().chain(small).copied().collect()
+}
+
+/// Instructions of a function that is worth no stub.
+const SMALL: u64 = 150;
+
+/// Functions that are called by name.
+struct Called(HashSet<FunctionId>);
+
+impl Visitor<'_> for Called {
+    fn visit_function_id(&mut self, function: &FunctionId) {
+        self.0.insert(*function);
+    }
+}
+
+/// The rest, and the names of all that it wants from the first part.
+fn rest(bytes: &[u8], early: &HashSet<usize>) -> Result<(Vec<u8>, Vec<String>)> {
+    let mut module = parsed(bytes)?;
+    let late = late_functions(&module, early);
+    let (table, slots) = slots(&module)?;
+    let exports: Vec<_> = module.exports.iter().map(walrus::Export::id).collect();
+    exports.into_iter().for_each(|id| module.exports.delete(id));
+    let imports: Vec<_> = module.imports.iter().map(walrus::Import::id).collect();
+    imports.into_iter().for_each(|id| module.imports.delete(id));
+    module.start = None;
+    import_all(&mut module, &late.iter().copied().collect());
+    let offset = ConstExpr::Value(Value::I32(slots));
+    let filled = module.elements.add(ElementKind::Active { table, offset }, ElementItems::Functions(late));
+    module.tables.get_mut(table).elem_segments.insert(filled);
+    gc::run(&mut module);
+    let needed = module.imports.iter().map(|import| import.name.clone()).collect();
+    Ok((module.emit_wasm(), needed))
+}
+
+/// Everything but the functions `kept` comes from the first part: functions `f`, memories `m`, tables `t`, globals `g`, each with its place.
+fn import_all(module: &mut Module, kept: &HashSet<FunctionId>) {
+    let Module { funcs, memories, tables, globals, imports, elements, data, .. } = module;
+    for (place, function) in funcs.iter_mut().enumerate() {
+        if !kept.contains(&function.id()) {
+            let import = imports.add(FIRST, &format!("f{place}"), function.id());
+            function.kind = FunctionKind::Import(ImportedFunction { import, ty: function.ty() });
+        }
+    }
+    for (place, memory) in memories.iter_mut().enumerate() {
+        memory.import = Some(imports.add(FIRST, &format!("m{place}"), memory.id()));
+        memory.data_segments.drain().for_each(|id| data.delete(id));
+    }
+    for (place, table) in tables.iter_mut().enumerate() {
+        table.import = Some(imports.add(FIRST, &format!("t{place}"), table.id()));
+        // It will be longer by then.
+        table.maximum = None;
+        table.elem_segments.drain().for_each(|id| elements.delete(id));
+    }
+    let ids: Vec<_> = globals.iter().map(walrus::Global::id).collect();
+    for (place, id) in ids.into_iter().enumerate() {
+        globals.get_mut(id).kind = GlobalKind::Import(imports.add(FIRST, &format!("g{place}"), id));
+    }
+}
+
+fn first(bytes: &[u8], early: &HashSet<usize>, needed: &[String]) -> Result<Vec<u8>> {
+    let mut module = parsed(bytes)?;
+    let (table, slots) = slots(&module)?;
+    let mut slot = slots;
+    for id in late_functions(&module, early) {
+        stub(&mut module, id, table, slot);
+        slot += 1;
+    }
+    let room = u64::try_from(slot - slots)?;
+    let table = module.tables.get_mut(table);
+    table.initial += room;
+    table.maximum = table.maximum.map(|most| most + room);
+    for name in needed {
+        let item = named(&module, name).with_context(|| format!("nothing is called {name}"))?;
+        module.exports.add(name, item);
+    }
+    gc::run(&mut module);
+    Ok(module.emit_wasm())
+}
+
+/// Makes a function pass its arguments on to whatever a slot of the table holds.
+fn stub(module: &mut Module, id: FunctionId, table: TableId, slot: i32) {
+    let of = module.funcs.get(id).ty();
+    let (parameters, results) = (module.types.params(of).to_vec(), module.types.results(of).to_vec());
+    let mut builder = FunctionBuilder::new(&mut module.types, &parameters, &results);
+    let arguments: Vec<_> = parameters.iter().map(|&parameter| module.locals.add(parameter)).collect();
+    let mut body = builder.func_body();
+    for &argument in &arguments {
+        body.local_get(argument);
+    }
+    body.i32_const(slot).call_indirect(of, table);
+    module.funcs.get_mut(id).kind = FunctionKind::Local(builder.local_func(arguments));
+}
+
+/// What a letter and a place stand for.
+fn named(module: &Module, name: &str) -> Option<ExportItem> {
+    let (letter, place) = name.split_at_checked(1)?;
+    let place = place.parse().ok()?;
+    Some(match letter {
+        "f" => module.funcs.iter().nth(place)?.id().into(),
+        "m" => module.memories.iter().nth(place)?.id().into(),
+        "t" => module.tables.iter().nth(place)?.id().into(),
+        "g" => module.globals.iter().nth(place)?.id().into(),
+        _ => return None,
+    })
+}
+
+fn parsed(bytes: &[u8]) -> Result<Module> {
+    ModuleConfig::new().generate_name_section(false).generate_producers_section(false).parse(bytes)
+}
+
+/// All but those that come from outside, in an order that is the same for the same bytes.
+fn own_functions(module: &Module) -> Vec<FunctionId> {
+    module.funcs.iter_local().map(|(id, _)| id).collect()
+}
+
+fn late_functions(module: &Module, early: &HashSet<usize>) -> Vec<FunctionId> {
+    let functions = own_functions(module).into_iter().enumerate();
+    functions.filter(|(number, _)| !early.contains(number)).map(|(_, id)| id).collect()
+}
+
+/// The table of functions, and its first slot beyond those of the whole module.
+fn slots(module: &Module) -> Result<(TableId, i32)> {
+    let table = module.tables.main_function_table()?.context("the module has no table of functions")?;
+    Ok((table, module.tables.get(table).initial.try_into()?))
+}
