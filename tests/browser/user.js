@@ -17,7 +17,7 @@ const strings = new URL("../../web/strings/", import.meta.url);
 
 /** All that the page can say: every file of strings. @param {"en" | "es"} language @returns {Promise<Record<string, string>>} */
 async function spoken(language) {
-  const names = readdirSync(strings).filter((name) => name.endsWith(`${language}.js`));
+  const names = readdirSync(strings).filter((name) => name === `${language}.js` || name.endsWith(`.${language}.js`));
   const files = await Promise.all(names.map((name) => import(new URL(name, strings).href)));
   return Object.assign({}, ...files.flatMap((file) => Object.values(file)));
 }
