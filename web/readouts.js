@@ -11,7 +11,8 @@ import { metered } from "./stage/meter.js";
 import { inSight, letterOf, seesSecond, unitOfPlace } from "./stage/place.js";
 
 const SIGNIFICANT = 5;
-/** Numbers below one and derivatives by length: a figure less leaves room for their zeros. */
+/** Numbers with a zero behind the point and derivatives by length: a figure less leaves room for their zeros. */
+const SMALL = 0.1;
 const SIGNIFICANT_SMALL = 4;
 const ANGLE_DIGITS = 2;
 const MOST_DIGITS = 9;
@@ -139,5 +140,5 @@ export function mount(root, context) {
 function digitsOf(reading, report, perSecond) {
   const size = reading.size(report, perSecond);
   if (!(size > 0) || reading.unit(report, perSecond) === "°") return ANGLE_DIGITS;
-  return Math.min(Math.max((report.travels || size < 1 ? SIGNIFICANT_SMALL : SIGNIFICANT) - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
+  return Math.min(Math.max((report.travels || size < SMALL ? SIGNIFICANT_SMALL : SIGNIFICANT) - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
 }
