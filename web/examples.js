@@ -29,7 +29,8 @@ const MARGIN = 0.06;
  * @param {ShellContext} context
  * @param {Check} check  brings a design into the form that the page works with
  */
-export function createGallery({ store, lab, t, banner }, check) {
+export function createGallery(context, check) {
+  const { store, lab, t, banner } = context;
   const texts = createTexts(t);
   const heading = texts.text(h("h2", { id: "examples-heading" }), "examples.title");
   const close = h("button", { type: "button", class: "quiet" }, "×");
@@ -57,16 +58,25 @@ export function createGallery({ store, lab, t, banner }, check) {
     const level = h("span", { class: `level ${portrait.level}` }, t(`examples.level.${portrait.level}`));
     const name = h("strong", {}, `${example.id} · ${title}`);
     const open = h("button", { type: "button", class: "sample", "data-example": example.id }, picture(portrait), h("span", { class: "words" }, name, level, h("span", { class: "about" }, note)));
-    open.addEventListener("click", () => {
-      dialog.close();
-      banner.hide();
-      const { design } = check(example.design);
-      if (!design) return;
-      shelve(design);
-      store.replace(design, t("edit.example", { name: example.id }));
-      store.set({ cursor: 0 });
+    open.addEventListener("click", () => show(example));
+    if (example.group !== "solved") return h("li", {}, open);
+    const solved = h("button", { type: "button", class: "quiet solved", "data-solution": example.id, "aria-label": t("examples.solution.of", { name: example.id }) }, t("examples.solution"));
+    solved.addEventListener("click", async () => {
+      show(example);
+      await (await import("./solution/index.js")).open(context);
     });
-    return h("li", {}, open);
+    return h("li", {}, open, solved);
+  }
+
+  /** @param {Example} example */
+  function show(example) {
+    dialog.close();
+    banner.hide();
+    const { design } = check(example.design);
+    if (!design) return;
+    shelve(design);
+    store.replace(design, t("edit.example", { name: example.id }));
+    store.set({ cursor: 0 });
   }
 
   close.addEventListener("click", () => dialog.close());

@@ -51,6 +51,7 @@ export function mount(root, context, engine) {
       createExamples(context, texts, engine.check),
       h("div", { class: "group" }, history.undo, history.redo),
       h("div", { class: "group" }, share.root, ...files),
+      createSolution(context, texts),
       createCompare(context, texts, engine),
     ),
     h("div", { class: "group end" }, languages.root, theme.button, projector, help),
@@ -120,6 +121,17 @@ function createExamples(context, texts, check) {
     gallery ??= import("./examples.js").then(({ createGallery }) => createGallery(context, check));
     (await gallery)();
   });
+  return button;
+}
+
+/**
+ * @param {ShellContext} context
+ * @param {Texts} texts
+ */
+function createSolution(context, texts) {
+  const button = texts.text(h("button", { type: "button", class: "quiet", id: "solve", "aria-haspopup": "dialog" }), "header.solution");
+  texts.attribute(button, "title", "header.solution.hint");
+  button.addEventListener("click", async () => (await import("./solution/index.js")).open(context));
   return button;
 }
 

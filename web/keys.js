@@ -19,7 +19,7 @@ export function listen({ store }) {
       else store.undo();
       return;
     }
-    if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
+    if (isTyping(event.target) || document.querySelector("dialog:modal")) return;
     const change = event.target === document.body ? played(store.state, event) : null;
     if (change) store.set(change);
     else if (event.altKey) return;

@@ -203,6 +203,9 @@ export interface Room {
 
 export type Rotation = "counterclockwise" | "clockwise";
 
+/** A piece of the worked solution: text, or a tag with its attributes (name and value by turns) and what it holds. */
+export type SolutionNode = string | [tag: string, attributes: string[], ...children: SolutionNode[]];
+
 /** What is wrong with a design and where, told in the language of the page. */
 export interface DesignError {
   path: string;

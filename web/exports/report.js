@@ -48,6 +48,8 @@ export function createReport(context) {
 
   addEventListener("beforeprint", () => {
     placed?.remove();
+    // A solution that is printed is the whole paper.
+    if (document.querySelector("body > .on-paper")) return;
     placed = compose(context, make, step);
     document.body.append(placed);
   });

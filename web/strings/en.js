@@ -31,6 +31,8 @@ export const en = {
   "header.export": "Export…",
   "header.print": "Print…",
   "header.save": "Save as a design file",
+  "header.solution": "Solution",
+  "header.solution.hint": "Worked solution: conditions, systems, formulas, extremes, size and verdict of this cam",
   "header.compare": "Compare",
   "header.pin": "Pin this design, to compare it (C)",
   "header.language": "Language",

@@ -31,6 +31,8 @@ export const es = {
   "header.export": "Exportar…",
   "header.print": "Imprimir…",
   "header.save": "Guardar como archivo de diseño",
+  "header.solution": "Solución",
+  "header.solution.hint": "Solución desarrollada: condiciones, sistemas, fórmulas, extremos, tamaño y veredicto de esta leva",
   "header.compare": "Comparar",
   "header.pin": "Fijar este diseño para compararlo (C)",
   "header.language": "Idioma",

@@ -9,4 +9,6 @@ export const examplesEn = {
   "examples.level.acceptable": "acceptable",
   "examples.level.low-speed": "not for high speeds",
   "examples.level.unacceptable": "unacceptable",
+  "examples.solution": "Open with its worked solution",
+  "examples.solution.of": "Open {name} with its worked solution",
 };

@@ -9,4 +9,6 @@ export const examplesEs = {
   "examples.level.acceptable": "aceptable",
   "examples.level.low-speed": "no para altas velocidades",
   "examples.level.unacceptable": "inaceptable",
+  "examples.solution": "Abrir con su solución desarrollada",
+  "examples.solution.of": "Abrir {name} con su solución desarrollada",
 };

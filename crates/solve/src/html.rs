@@ -1,6 +1,7 @@
 //! The solution as elements of a page, its mathematics as MathML.
 
 use crate::document::{Block, Document, Inline, Line, Table};
+use crate::layout::{LINE, width};
 use levalab_formula::{Element, Formula, Node, escape, math};
 use levalab_words::Language;
 
@@ -26,11 +27,12 @@ pub fn page(document: &Document, language: Language) -> String {
 /// Looks for a page that stands by itself.
 const STYLE: &str = "\
 body{font:16px/1.5 system-ui,sans-serif;max-width:52rem;margin:2rem auto;padding:0 1rem}\
-.formula{overflow-x:auto;margin:.5rem 0 .5rem 1.5rem}.formula math{display:block math;text-align:left}\
+math{font-family:\"STIX Two Math\",\"Cambria Math\",\"Latin Modern Math\",\"Libertinus Math\",math,serif}\
+.formula{display:flex;flex-wrap:wrap;gap:.4rem 1.6rem;overflow-x:auto;margin:.6rem 0 .6rem 1.5rem;padding-block:.15rem}.formula math{flex:none;margin:0}\
 .cells{overflow-x:auto}table{border-collapse:collapse;margin:.75rem 0}caption{text-align:left;font-style:italic}\
 th,td{padding:.15rem .6rem;text-align:left;border-bottom:1px solid #9996;white-space:nowrap}\
 mtable.lines>mtr>mtd:first-child{text-align:right;padding-right:0}mtable.lines>mtr>mtd+mtd{text-align:left;padding-left:.2em}\
-@page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4{break-after:avoid}}";
+@page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4{break-after:avoid}.wide{font-size:80%}.formula,tr{break-inside:avoid}}";
 
 fn of_block(block: &Block, language: Language) -> Node {
     match block {
@@ -57,8 +59,8 @@ fn of_formula(formula: &Formula, language: Language) -> Node {
         }
         Node::from(math)
     });
-    let several = if last > 0 { "formula several" } else { "formula" };
-    Element::new("div", each.collect()).with("class", several).into()
+    let fits = matches!(formula, Formula::List(_)) || width(formula) <= LINE;
+    Element::new("div", each.collect()).with("class", if fits { "formula" } else { "formula wide" }).into()
 }
 
 fn of_table(table: &Table, language: Language) -> Node {

@@ -3,7 +3,7 @@
 use levalab_formula::Formula;
 
 /// Widths that fit on a line of a printed page, in letters.
-const LINE: usize = 66;
+pub const LINE: usize = 66;
 
 /// An equation over as many lines as it takes: each side, with the sign before it, on a line of its own when not all fit on one, and sums
 /// broken where they are too wide.

@@ -3,9 +3,10 @@
 use levalab_formula::Formula;
 use levalab_words::notation;
 
-/// Significant digits of a displacement, of other results, and of what was typed.
+/// Significant digits of a displacement, of other results, of the entries of a matrix, and of what was typed.
 const OF_HEIGHTS: usize = 6;
 const OF_RESULTS: usize = 5;
+const OF_ENTRIES: usize = 4;
 const OF_DATA: usize = 10;
 
 /// Significant digits of the largest coefficient of a polynomial: the others have as many decimals.
@@ -22,6 +23,11 @@ pub fn height(value: f64) -> String {
 /// A result.
 pub fn result(value: f64) -> String {
     notation(value, OF_RESULTS)
+}
+
+/// An entry of a matrix.
+pub fn entry(value: f64) -> String {
+    notation(value, OF_ENTRIES)
 }
 
 /// A number that was typed.

@@ -119,7 +119,7 @@ fn powers(board: &mut Board, part: &Part) {
     }
     let system = &parts.system;
     if (1..=WRITTEN_OUT).contains(&parts.unknown.len()) {
-        let numbers = |value: f64| numeral(&number::result(value));
+        let numbers = |value: f64| numeral(&number::entry(value));
         let known = |values: &[f64]| vector(&values.iter().map(|&c| number::result(c * scale)).collect::<Vec<_>>());
         board.say(two("The others are a system for the rest:", "Las demás son un sistema para el resto:"), &[]);
         board.equate(

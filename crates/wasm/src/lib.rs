@@ -13,6 +13,7 @@ mod lab;
 mod marks;
 mod plain;
 mod report;
+mod solve;
 
 pub use lab::Lab;
 
@@ -24,7 +25,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
+import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, SolutionNode, TieKey } from "../types.d.ts";
 "#;
 
 /// What is wrong, where, in the language of the page.

@@ -109,6 +109,18 @@ En {compare.view.laws} el programa actual se mueve con cada una de las leyes, or
         ),
     },
     Screen {
+        id: "solution",
+        name: two("Worked solution", "Solución desarrollada"),
+        text: two(
+            "{header.solution} derives the cam on screen as on a blackboard: the data; the conditions, the linear system and the formulas of each segment; the limits at every joint; where each derivative is greatest; the size that $φ$ and $ρ$ ask for; and the verdict, argued. It follows the design while you change it.
+
+{solution.segment} picks one segment. {solution.theta} puts numbers into all formulas at an angle of your choice, {solution.follows} at that of the cursor; left empty, where $|v|$ is greatest. {solution.latex} and {solution.markdown} take the text along, {solution.print} puts it on paper. The solved examples R1 to R6 have a button that opens them with it.",
+            "{header.solution} desarrolla la leva en pantalla como en la pizarra: los datos; las condiciones, el sistema lineal y las fórmulas de cada tramo; los límites en cada unión; dónde es máxima cada derivada; el tamaño que piden $φ$ y $ρ$; y el veredicto, razonado. Sigue al diseño mientras usted lo cambia.
+
+{solution.segment} elige un solo tramo. {solution.theta} sustituye números en todas las fórmulas en el ángulo que elija, {solution.follows} en el del cursor; vacío, donde $|v|$ es máxima. {solution.latex} y {solution.markdown} se llevan el texto y {solution.print} lo pasa a papel. Los ejemplos resueltos R1 a R6 tienen un botón que los abre con ella.",
+        ),
+    },
+    Screen {
         id: "files",
         name: two("Links and files", "Enlaces y archivos"),
         text: two(
