@@ -9,8 +9,8 @@ import { LINKS, announced, becomes, en, es, eventually, field, openStill, violat
 const open = (page, say = en) => page.getByRole("button", { name: say("header.solution"), exact: true }).click();
 /** @param {Page} page */
 const solution = (page) => page.locator("#solution .solution");
-/** What is read, without what only layout needs. @param {Page} page */
-const text = async (page) => (await solution(page).innerText()).replaceAll(/[\u2061-\u2064\s]+/g, "");
+/** What is read, its italic letters as plain ones, without what only layout needs. @param {Page} page */
+const text = async (page) => (await solution(page).innerText()).normalize("NFKC").replaceAll(/[\u2061-\u2064\s]+/g, "");
 /** @param {Page} page @param {RegExp} wanted */
 const says = (page, wanted) => eventually(() => text(page), (said) => assert.match(said, wanted));
 

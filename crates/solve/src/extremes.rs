@@ -119,7 +119,7 @@ pub fn write(board: &mut Board) {
         &[],
     );
     let heads = vec![
-        Line::new(),
+        board.line(two("magnitude", "magnitud"), &[]),
         board.line(two("least", "mínimo"), &[]),
         cell("θ"),
         board.line(two("greatest", "máximo"), &[]),

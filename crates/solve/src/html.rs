@@ -64,7 +64,15 @@ fn of_formula(formula: &Formula, language: Language) -> Node {
 }
 
 fn of_table(table: &Table, language: Language) -> Node {
-    let head = table.heads.iter().map(|head| Element::new("th", of_line(head, language)).with("scope", "col").into());
+    let head = |head: &Line| {
+        let cells = of_line(head, language);
+        // Not every reader of screens finds the name of a column in its mathematics.
+        let named = head.iter().any(|part| matches!(part, Inline::Text(_)));
+        let name: String = cells.iter().map(text_of).collect();
+        let element = Element::new("th", cells).with("scope", "col");
+        Node::from(if named { element } else { element.with("aria-label", name) })
+    };
+    let head = table.heads.iter().map(head);
     let row = |cells: &Vec<Line>| {
         let cells = cells.iter().map(|cell| Element::new("td", of_line(cell, language)).into());
         Node::from(Element::new("tr", cells.collect()))
@@ -78,6 +86,14 @@ fn of_table(table: &Table, language: Language) -> Node {
         ],
     );
     Element::new("div", vec![inner.into()]).with("class", "cells").into()
+}
+
+/// What is read in a node.
+fn text_of(node: &Node) -> String {
+    match node {
+        Node::Text(text) => text.clone(),
+        Node::Element(element) => element.children.iter().map(text_of).collect(),
+    }
 }
 
 fn of_line(line: &Line, language: Language) -> Vec<Node> {
