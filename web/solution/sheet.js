@@ -20,15 +20,15 @@ const SHEET = `
 .solution ul { margin: 0.5em 0; padding-inline-start: 1.3em; }
 .solution li + li { margin-block-start: 0.4em; }
 .solution math { font-family: "STIX Two Math", "Cambria Math", "Latin Modern Math", "Libertinus Math", var(--font-math); font-size: 1.08em; }
-.solution .formula { display: flex; flex-wrap: wrap; gap: 0.35em 1.8em; margin: 0.5em 0; padding: 0.15em 0 0.15em 1.5em; overflow-x: auto; overflow-y: hidden; }
+.solution .formula { display: flex; flex-wrap: wrap; align-items: center; gap: 0.35em 1.8em; margin: 0.5em 0; padding: 0.15em 0 0.15em 1.5em; overflow-x: auto; overflow-y: hidden; }
 .solution .formula math { flex: none; margin: 0; }
 .solution .cells { margin: 0.75em 0; overflow-x: auto; }
 .solution table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 .solution caption { color: var(--muted); text-align: start; }
 .solution :is(th, td) { padding: 0.2em 1.2em 0.2em 0; border-block-end: 1px solid var(--grid); text-align: start; white-space: nowrap; }
 .solution th { color: var(--muted); font-weight: 400; }
-.solution mtable.lines mtd { padding-inline: 0; text-align: start; }
-.solution mtable.lines mtd:first-child { padding-inline-end: 0.25em; text-align: end; }
+.solution mtable.lines > mtr > mtd { padding-inline: 0; text-align: start; }
+.solution mtable.lines > mtr > mtd:first-child { padding-inline-end: 0.25em; text-align: end; }
 .on-paper { display: none; }
 @media screen and (max-width: 900px) {
   #solution { inset: 0; inline-size: auto; border-width: 0; }
@@ -45,10 +45,10 @@ const SHEET = `
   body:has(> .on-paper) > :not(.on-paper) { display: none !important; }
   .on-paper { display: block; color: #000000; font: 10pt/1.45 var(--font); }
   .on-paper h1 { margin: 0 0 0.5em; font-size: 16pt; }
-  .on-paper :is(h3, h4) { break-after: avoid; }
+  .on-paper :is(h3, h4, p:has(+ :is(.formula, .short))) { break-after: avoid; }
   .on-paper :is(caption, th) { color: #404040; }
   .on-paper :is(th, td) { border-color: #c0c0c0; padding-block: 0.1em; }
-  .on-paper :is(.formula, tr, li) { break-inside: avoid; }
+  .on-paper :is(.formula, .short, tr, li) { break-inside: avoid; }
   .on-paper :is(.formula, .cells) { overflow: visible; }
   .on-paper .formula { margin-block: 0.35em; }
   .on-paper .wide { font-size: 80%; }

@@ -141,7 +141,9 @@ pub fn write(board: &mut Board) {
             let settled = if scale.is_finite() { number::settled(value, scale) } else { value };
             if value.is_finite() { cell(&(written(settled * factor) + unit)) } else { line("–") }
         };
-        let at = |at: f64, value: f64| if value.is_finite() { cell(&place(at)) } else { line("–") };
+        // What is the same all along has no place.
+        let level = range.max - range.min <= number::NEGLIGIBLE * scale;
+        let at = |at: f64, value: f64| if value.is_finite() && !level { cell(&place(at)) } else { line("–") };
         rows.push(vec![
             cell(symbol),
             value(range.min),

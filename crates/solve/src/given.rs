@@ -71,8 +71,10 @@ fn speed(board: &mut Board) {
     let speed = board.design().speed;
     let (told, omega) = (number::datum(speed.value), number::result(board.design().omega()));
     let text = match speed.unit {
-        SpeedUnit::RevolutionsPerMinute => format!("ω = {told} {{rpm}} · (2π)/(60) = {omega} {{rad/s}}"),
-        SpeedUnit::RevolutionsPerSecond => format!("ω = {told} {{rev/s}} · 2π = {omega} {{rad/s}}"),
+        SpeedUnit::RevolutionsPerMinute => {
+            format!("ω = {told} {{rpm}} = (2π)/(60) · {told} {{rad/s}} = {omega} {{rad/s}}")
+        }
+        SpeedUnit::RevolutionsPerSecond => format!("ω = {told} {{rev/s}} = 2π · {told} {{rad/s}} = {omega} {{rad/s}}"),
         _ if board.travels() => format!("ω = {told}{}", board.timed_unit(1)),
         _ => format!("ω = {omega} {{rad/s}}"),
     };

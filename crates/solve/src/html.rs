@@ -1,7 +1,7 @@
 //! The solution as elements of a page, its mathematics as MathML.
 
 use crate::document::{Block, Document, Inline, Line, Table};
-use crate::layout::{LINE, width};
+use crate::layout::{WHOLE_LINE, width};
 use levalab_formula::{Element, Formula, Node, escape, math};
 use levalab_words::Language;
 
@@ -28,11 +28,14 @@ pub fn page(document: &Document, language: Language) -> String {
 const STYLE: &str = "\
 body{font:16px/1.5 system-ui,sans-serif;max-width:52rem;margin:2rem auto;padding:0 1rem}\
 math{font-family:\"STIX Two Math\",\"Cambria Math\",\"Latin Modern Math\",\"Libertinus Math\",math,serif}\
-.formula{display:flex;flex-wrap:wrap;gap:.4rem 1.6rem;overflow-x:auto;margin:.6rem 0 .6rem 1.5rem;padding-block:.15rem}.formula math{flex:none;margin:0}\
+.formula{display:flex;flex-wrap:wrap;align-items:center;gap:.4rem 1.6rem;overflow-x:auto;margin:.6rem 0 .6rem 1.5rem;padding-block:.15rem}.formula math{flex:none;margin:0}\
 .cells{overflow-x:auto}table{border-collapse:collapse;margin:.75rem 0}caption{text-align:left;font-style:italic}\
 th,td{padding:.15rem .6rem;text-align:left;border-bottom:1px solid #9996;white-space:nowrap}\
 mtable.lines>mtr>mtd:first-child{text-align:right;padding-right:0}mtable.lines>mtr>mtd+mtd{text-align:left;padding-left:.2em}\
-@page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4{break-after:avoid}.wide{font-size:80%}.formula,tr{break-inside:avoid}}";
+@page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4,p:has(+.formula),p:has(+.short){break-after:avoid}.wide{font-size:80%}.formula,.short,tr{break-inside:avoid}}";
+
+/// Rows of a table that need not be parted between two pages.
+const SHORT: usize = 14;
 
 fn of_block(block: &Block, language: Language) -> Node {
     match block {
@@ -59,18 +62,14 @@ fn of_formula(formula: &Formula, language: Language) -> Node {
         }
         Node::from(math)
     });
-    let fits = matches!(formula, Formula::List(_)) || width(formula) <= LINE;
+    let fits = matches!(formula, Formula::List(_)) || width(formula) <= WHOLE_LINE;
     Element::new("div", each.collect()).with("class", if fits { "formula" } else { "formula wide" }).into()
 }
 
 fn of_table(table: &Table, language: Language) -> Node {
     let head = |head: &Line| {
-        let cells = of_line(head, language);
-        // Not every reader of screens finds the name of a column in its mathematics.
-        let named = head.iter().any(|part| matches!(part, Inline::Text(_)));
-        let name: String = cells.iter().map(text_of).collect();
-        let element = Element::new("th", cells).with("scope", "col");
-        Node::from(if named { element } else { element.with("aria-label", name) })
+        let cells = head.iter().map(|part| named(part).unwrap_or_else(|| of_part(part, language))).collect();
+        Node::from(Element::new("th", cells).with("scope", "col"))
     };
     let head = table.heads.iter().map(head);
     let row = |cells: &Vec<Line>| {
@@ -85,21 +84,29 @@ fn of_table(table: &Table, language: Language) -> Node {
             Element::new("tbody", table.rows.iter().map(row).collect()).into(),
         ],
     );
-    Element::new("div", vec![inner.into()]).with("class", "cells").into()
+    // A short table stays on one page.
+    let class = if table.rows.len() <= SHORT { "cells short" } else { "cells" };
+    Element::new("div", vec![inner.into()]).with("class", class).into()
 }
 
-/// What is read in a node.
-fn text_of(node: &Node) -> String {
-    match node {
-        Node::Text(text) => text.clone(),
-        Node::Element(element) => element.children.iter().map(text_of).collect(),
+/// A letter at the head of a column, as text: not every reader of screens finds the name of a column in mathematics.
+fn named(part: &Inline) -> Option<Node> {
+    let Inline::Formula(Formula::Symbol(name)) = part else { return None };
+    let (letter, index) = name.split_once('_').unwrap_or((name, ""));
+    let mut symbol = Element::text("i", letter).with("class", "symbol");
+    if !index.is_empty() {
+        symbol.children.push(Element::text("sub", index).into());
     }
+    Some(symbol.into())
 }
 
 fn of_line(line: &Line, language: Language) -> Vec<Node> {
-    let part = |part: &Inline| match part {
+    line.iter().map(|part| of_part(part, language)).collect()
+}
+
+fn of_part(part: &Inline, language: Language) -> Node {
+    match part {
         Inline::Text(text) => Node::Text(text.clone()),
         Inline::Formula(formula) => math(formula, language, false).into(),
-    };
-    line.iter().map(part).collect()
+    }
 }

@@ -2,8 +2,11 @@
 
 use levalab_formula::Formula;
 
-/// Widths that fit on a line of a printed page, in letters.
-pub const LINE: usize = 66;
+/// What a line of a printed page takes with ease, in letters: longer equations are broken.
+const LINE: usize = 66;
+
+/// What it takes at most: what is wider, as a matrix, has to be set smaller.
+pub const WHOLE_LINE: usize = 88;
 
 /// An equation over as many lines as it takes: each side, with the sign before it, on a line of its own when not all fit on one, and sums
 /// broken where they are too wide.
@@ -13,8 +16,8 @@ pub fn equation(left: Formula, sides: Vec<(char, Formula)>) -> Formula {
         return Formula::Relation(Box::new(left), sides);
     }
     let room = LINE.saturating_sub(width(&left) + 3).max(LINE / 2);
-    let lines = sides.into_iter().flat_map(|(sign, side)| broken(sign, side, room)).collect();
-    Formula::Lines(Box::new(left), lines)
+    let lines: Vec<(char, Formula)> = sides.into_iter().flat_map(|(sign, side)| broken(sign, side, room)).collect();
+    if lines.len() == 1 { Formula::Relation(Box::new(left), lines) } else { Formula::Lines(Box::new(left), lines) }
 }
 
 fn broken(sign: char, side: Formula, room: usize) -> Vec<(char, Formula)> {

@@ -72,7 +72,7 @@ pub fn coefficients(values: &[f64]) -> Vec<String> {
 }
 
 /// A result smaller than this part of the greatest of its kind is 0: places of extremes are known to so many digits.
-const NEGLIGIBLE: f64 = 1e-8;
+pub const NEGLIGIBLE: f64 = 1e-8;
 
 /// What is nothing beside a scale is 0.
 pub fn settled(value: f64, scale: f64) -> f64 {

@@ -1,6 +1,7 @@
 //! The second cam of a conjugate pair.
 
 use crate::board::{Board, two};
+use crate::document::Block;
 use crate::substitution::{Place, contact_at};
 use crate::{extremes, number, verdict};
 
@@ -33,4 +34,10 @@ pub fn write(board: &mut Board, place: &Place) {
     ));
     contact_at(board, place.theta());
     verdict::write(board);
+    // All of it is a part of this part.
+    for block in board.blocks.iter_mut().skip(1) {
+        if let Block::Heading(level, _) = block {
+            *level = 2;
+        }
+    }
 }

@@ -65,7 +65,7 @@ pub fn write(board: &mut Board, k: usize) {
     let law = levalab_words::law(board.language, part.segment.law);
     board.heading(
         2,
-        two("Segment {n}: {law}, $ {from} ≤ θ ≤ {to}$", "Tramo {n}: {law}, $ {from} ≤ θ ≤ {to}$"),
+        two("Segment {n}: {law}, $ {from} ≤ θ ≤ {to}$", "Tramo {n}: ley {law}, $ {from} ≤ θ ≤ {to}$"),
         &[("n", &(k + 1).to_string()), ("law", law), ("from", &from), ("to", &to)],
     );
     if part.stretches.iter().all(|stretch| stretch.is_still()) {

@@ -142,7 +142,7 @@ pub fn contact_at(board: &mut Board, theta: f64) {
         if put_in != symbolic {
             sides.push(('=', put_in));
         }
-        if shown != rule.right {
+        if shown != rule.right && rule.right != "0" {
             sides.push(('=', formula(&shown)));
         }
         known.push((rule.left, written(rule.value, rule.measure)));

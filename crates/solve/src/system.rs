@@ -130,7 +130,7 @@ fn powers(board: &mut Board, part: &Part) {
         if parts.unknown.len() > 1 {
             board.say(
                 two(
-                    "Gauss's elimination (rows in the order of their pivots) makes it triangular:",
+                    "Gaussian elimination (rows in the order of their pivots) makes it triangular:",
                     "La eliminación de Gauss (filas en el orden de sus pivotes) la hace triangular:",
                 ),
                 &[],
