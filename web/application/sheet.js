@@ -4,7 +4,7 @@ const SHEET = `
 :root { --output: #006a73; --output-2: #8a3d00; }
 @media screen { :root[data-theme="dark"] { --output: #5cc9d3; --output-2: #f0a868; } }
 #application-button { align-self: start; margin-block-start: var(--space-2); color: var(--accent); }
-#application { grid-area: diagrams-start / diagrams-start / readouts-end / diagrams-end; z-index: 2; display: flex; flex-direction: column; gap: var(--space-3); padding: var(--space-2) var(--space-4) var(--space-3) var(--space-3); overflow: hidden auto; scrollbar-width: thin; background: var(--paper); border-inline-start: 1px solid var(--grid); }
+#application { grid-area: diagrams-start / diagrams-start / readouts-end / diagrams-end; position: relative; z-index: 2; display: flex; flex-direction: column; gap: var(--space-3); padding: var(--space-2) var(--space-4) var(--space-3) var(--space-3); overflow: hidden auto; scrollbar-width: thin; background: var(--paper); border-inline-start: 1px solid var(--grid); }
 #application[hidden] { display: none; }
 [data-projector] #application { grid-area: diagrams; }
 .application-head { display: flex; align-items: baseline; gap: var(--space-3); }
@@ -38,7 +38,7 @@ const SHEET = `
 .application-errors :is(th, td) { padding: 0 0 0 var(--space-2); border-block-end: 1px solid var(--grid); font-weight: 400; text-align: end; }
 .application-errors thead th { position: sticky; inset-block-start: 0; background: var(--paper); color: var(--muted); }
 .application-errors tbody th { padding: 0; }
-.application-errors button { min-block-size: 1.7rem; padding: 0 var(--space-1); background: none; color: var(--accent); }
+.application-errors button { min-inline-size: 24px; min-block-size: 24px; padding: 0 var(--space-1); background: none; color: var(--accent); }
 #application .application-worst { color: var(--ink); }
 @media screen and (max-width: 1080px) {
   :root:not([data-projector]) #application { position: fixed; inset: 0; z-index: 5; padding: var(--space-3); border: 0; }

@@ -118,7 +118,7 @@ export function createTargets({ store, t, format }, work) {
   function row({ theta, time, value, found, error: miss }) {
     const { report: cam } = store.state;
     const go = h("button", { type: "button" }, format.number(Number(theta.toPrecision(7))));
-    const name = t("application.targets.go", { place: placeText(format, cam, theta, 2) });
+    const name = t("application.targets.go", { place: format.number(Number(theta.toPrecision(7)), { unit: unitOfPlace(cam) }) });
     go.title = name;
     go.setAttribute("aria-label", name);
     go.addEventListener("click", () => store.set({ cursor: placeIn(cam, theta), playing: false }));
