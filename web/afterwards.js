@@ -14,6 +14,9 @@ import { keepRecent } from "./recent.js";
 import "./strings/files.js";
 import { learn } from "./strings/index.js";
 
+/** Milliseconds after which whatever the visit begins with is done. */
+const SETTLED = 4000;
+
 /**
  * @param {ShellContext} context
  * @param {Engine} engine
@@ -24,4 +27,6 @@ export async function begin(context, engine) {
   acceptDrops(context, opener(context, engine));
   if (recall("tour") === null) void import("./help/offer.js").then(({ offerTour }) => offerTour(context));
   if (hasWorker()) void keepOffline(context);
+  // For a print that the browser's own menu asks for: it gives no time to load anything.
+  setTimeout(() => void import("./exports/report.js").then(({ reportOnPaper }) => reportOnPaper(context)), SETTLED);
 }

@@ -5,7 +5,7 @@
  */
 import { h } from "../dom.js";
 import { createTexts } from "../texts.js";
-import { createReport } from "./report.js";
+import { reportOnPaper } from "./report.js";
 import { dressed } from "./words.js";
 
 /** Degrees between rows; 0 is no table. With 5° it fills a page. */
@@ -15,7 +15,7 @@ const STEPS = [0, 5, 10, 15, 30];
 export function createPrintDialog(context) {
   const { store, t, format } = context;
   const texts = createTexts(t);
-  const report = createReport(context);
+  const report = reportOnPaper(context);
   const heading = texts.text(h("h2", { id: "print-heading" }), "print.title");
   const table = h("select", { id: "print-table" }, ...STEPS.map((value) => h("option", { value })));
   const close = texts.text(h("button", { type: "button" }), "export.close");

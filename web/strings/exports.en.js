@@ -63,4 +63,11 @@ export const exportsEn = {
   "report.length": "Length",
   "report.second": "Second cam",
   "report.unit": "Lengths in {unit}",
+  "report.kind": "Cam",
+  "report.range": "from {min} at {minAt} to {max} at {maxAt}",
+  "report.journey": "each journey there and back delivers {volume}",
+  "report.turn": "each turn delivers {volume}",
+  "report.wanted": "target",
+  "report.found": "found",
+  "report.error": "error",
 };

@@ -63,4 +63,11 @@ export const exportsEs = {
   "report.length": "Longitud",
   "report.second": "Segunda leva",
   "report.unit": "Longitudes en {unit}",
+  "report.kind": "Leva",
+  "report.range": "de {min} en {minAt} a {max} en {maxAt}",
+  "report.journey": "cada ida y vuelta entrega {volume}",
+  "report.turn": "cada vuelta entrega {volume}",
+  "report.wanted": "objetivo",
+  "report.found": "resultado",
+  "report.error": "error",
 };

@@ -129,8 +129,9 @@ impl Voice for English {
                 )
             }
             FindingKind::Jump(_) => {
+                let moves = if units.travels { "travels" } else { "turns" };
                 format!(
-                    "The jerk {where_and_how_much}: harmless when the cam turns slowly, vibration when it turns fast."
+                    "The jerk {where_and_how_much}: harmless when the cam {moves} slowly, vibration when it {moves} fast."
                 )
             }
             FindingKind::PressureAngle => {
@@ -164,7 +165,10 @@ impl Voice for English {
                     "{around} the conditions hardly determine the curve: the least rounding of one of them changes its shape, and its figures cannot be trusted."
                 )
             }
-            FindingKind::BelowBase => format!("The follower goes below the base circle, down to {value} at {at}."),
+            FindingKind::BelowBase => {
+                let base = if units.travels { "line" } else { "circle" };
+                format!("The follower goes below the base {base}, down to {value} at {at}.")
+            }
             FindingKind::SelfCrossing => {
                 format!("The profile crosses itself: it goes through the same point at {at} and at {other}.")
             }

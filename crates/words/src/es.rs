@@ -166,7 +166,10 @@ impl Voice for Spanish {
                     "{around} las condiciones apenas determinan la curva: el menor redondeo de una de ellas le cambia la forma, y sus cifras no son de fiar."
                 )
             }
-            FindingKind::BelowBase => format!("El seguidor baja de la circunferencia base, hasta {value} en {at}."),
+            FindingKind::BelowBase => {
+                let base = if units.travels { "recta" } else { "circunferencia" };
+                format!("El seguidor baja de la {base} base, hasta {value} en {at}.")
+            }
             FindingKind::SelfCrossing => {
                 format!("El perfil se corta a sí mismo: pasa por el mismo punto en {at} y en {other}.")
             }

@@ -182,6 +182,23 @@ fn sentences_are_one_line_each() {
 }
 
 #[test]
+fn a_cam_that_travels_is_told_in_its_own_units_and_turns_nowhere() {
+    let wedge = example("WEDGE").expect("WEDGE");
+    for kind in KINDS {
+        let [en, es] = Language::ALL.map(|language| finding(language, &wedge, &finding_of(kind)));
+        if !matches!(kind, FindingKind::FaceOvertaken) {
+            assert!(!en.contains("turns") && !en.contains("circle") && !en.contains("/rad"), "{en}");
+            assert!(!es.contains("gira") && !es.contains("circunferencia") && !es.contains("/rad"), "{es}");
+        }
+    }
+    let told = |order: u8| finding(Language::En, &wedge, &finding_of(FindingKind::Jump(order)));
+    assert!(told(3).contains("12.34\u{a0}1/mm² at") || told(3).contains("12.35\u{a0}1/mm² at"), "{}", told(3));
+    assert!(told(2).contains("\u{a0}1/mm at"), "{}", told(2));
+    assert!(told(1).contains(" at ") && !told(1).contains("/mm"), "{}", told(1));
+    assert!(told(3).ends_with("harmless when the cam travels slowly, vibration when it travels fast."), "{}", told(3));
+}
+
+#[test]
 fn headlines_name_each_reason_once() {
     let (_, mut report) = report("9RT");
     report.findings = KINDS[2..8].iter().chain(&KINDS[2..4]).copied().map(finding_of).collect();

@@ -35,7 +35,13 @@ impl Units {
 
     /// A displacement or one of its derivatives with respect to θ, with its unit.
     pub(crate) fn travel(self, value: f64, order: u8, language: Language) -> String {
-        let per = if self.travels { self.length.symbol() } else { "rad" };
+        if self.travels && order > 0 {
+            // A length by a length is a number.
+            let unit = self.length.symbol();
+            let unit = [String::new(), format!("{SPACE}1/{unit}"), format!("{SPACE}1/{unit}²")];
+            return format!("{}{}", language.number(value), unit[usize::from(order - 1).min(2)]);
+        }
+        let per = "rad";
         let per = match order {
             0 => String::new(),
             1 => format!("/{per}"),
