@@ -25,6 +25,7 @@ const RESTART_WINDOW = 10_000;
  * @property {(design: unknown, key: TieKey) => Room | null} room_for_second
  * @property {(design: Readonly<Design>, unit: string, language: Language) => Read} in_unit
  * @property {(unit: string, language: Language) => ApplicationEntry[]} applications
+ * @property {(design: Readonly<Design>, key: TieKey, language: Language) => string | undefined} why_no_second
  * @property {{ of: (design: Design) => Driven | undefined }} Driven
  * @property {(design: unknown) => Float64Array} data_marks
  * @property {(design: unknown, language: Language, theta?: number, segment?: number) => SolutionNode[] | undefined} solution

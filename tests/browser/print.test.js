@@ -1,7 +1,7 @@
 // The report on paper: how many pages, what stands on them, and that it is drawn in lines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { LINKS, en, es, openStill } from "./user.js";
+import { LINKS, en, es, eventually, openStill } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -40,6 +40,44 @@ const CASES = [
   ["2RO", es, "es-ES", "0", [/Brazo A80\u00a0mm/, /Escala 1:1/, /Aceptable/]],
   ["R1", en, "en-GB", "10", [/0\.2\u00a0m/, /Scale 1:5/, /The pressure angle reaches/]],
 ];
+
+const MORE = {
+  R6: "1.Example_R6.R2_1uiw12.566op_30_.75p0p56.88_110.27p123.84_79.35p198.72_106.71p256.32N256.32s0v0a0s56.88_1.177s123.84_.847s198.72_1.139s256.32v256.32a256.32D103.68.0WiuYM",
+  pair: "1.7CRT.R170_10kd380_10S36_20S36-20S36_20S36-20S36_20S36-20S36_20S36-20S36_20S36-20.11DfvS",
+  wedge: "1.Wedge.R0_8w50t150C60_20D30C60-12.197YKJ",
+  breadth: "1.harmonic_flat.F40b100h.4ThtCJ",
+  many: `1.Sixty-0jfour.R200_5${"S5.625_2S5.625-2".repeat(32)}.2hzuE1`,
+};
+
+/** Those that need more room, or other words: what they must say, and how many drawings they have. @type {[keyof typeof MORE, typeof en, string, string, RegExp[], number][]} */
+const FULL = [
+  ["R6", es, "es-ES", "5", [/Fuerza de un pistón sobre fluido encerrado/, /Rigidez K = 93,68\slbf\/in/, /fuerza \(lbf\): de 0\slbf/, /110,27110,266−0,003772/], 9],
+  ["pair", en, "en-GB", "5", [/Cam 1Cam 2/, /s₂ displacement \(mm\)/, /ρ₂ radius of curvature/, /s₂ \(mm\)φ₂ \(°\)ρ₂ \(mm\)x₂ \(mm\)/], 13],
+  ["wedge", es, "es-ES", "10", [/LevaTraslación \(cuña\)/, /Velocidad50\smm\/sφ/, /perfilx \(mm\)s \(mm\)/, /v velocidad(?! \()/, /sobreaceleración \(1\/mm²\)/], 7],
+  ["breadth", en, "en-GB", "10", [/1Simple harmonic0°120°20/, /4Dwell300°60°/], 7],
+  ["many", en, "en-GB", "5", [/64Polynomial 4-5-6-7354\.375°5\.625°−2/], 7],
+];
+
+for (const [name, say, locale, step, texts, count] of FULL) {
+  test(`${name} in ${locale}: all that belongs to it stands on three pages`, async (t) => {
+    const { page } = await openStill(t, { fragment: MORE[name], locale });
+    const { text, drawings, pictures, pages } = await printed(page, say, step);
+    for (const expected of texts) assert.match(text, expected);
+    assert.deepEqual([pages, drawings.length, pictures], [3, count, 0]);
+  });
+}
+
+test("the browser's own print gives the report, though nothing was asked for before", async (t) => {
+  const { page } = await openStill(t, { fragment: MORE.R6 });
+  await page.evaluate(() => addEventListener("afterprint", () => Object.assign(globalThis, { seen: [...document.querySelectorAll(".report")].map((report) => report.textContent) })));
+  await eventually(
+    async () => {
+      await page.pdf({ preferCSSPageSize: true });
+      return page.evaluate(() => String(Reflect.get(globalThis, "seen")));
+    },
+    (seen) => assert.match(seen, /Program.*Verdict.*Force of a piston on enclosed fluid.*Motion/s),
+  );
+});
 
 for (const [name, say, locale, step, texts] of CASES) {
   test(`${name} in ${locale} fits on one to three pages, all lines`, async (t) => {

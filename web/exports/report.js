@@ -174,12 +174,12 @@ function magnitudes({ t, format, catalogue, store }, design) {
     if (typeof value !== "number") return [];
     return [/** @type {[string, string]} */ ([`${t(`parameter.${key}`)} ${symbol}`, format.number(value, { unit: quantity === "length" ? unit : "°" })])];
   });
-  const speed = `${format.number(design.speed.value)} ${design.speed.unit}${design.speed.unit === "rad/s" ? "" : ` = ${format.quantity(omega, { trim: true })} rad/s`}`;
+  const speed = `${format.number(design.speed.value)} ${design.speed.unit}${design.speed.unit === "rad/s" || store.state.report.travels ? "" : ` = ${format.quantity(omega, { trim: true })} rad/s`}`;
   const { cam } = design;
   const lengths = /** @type {const} */ (["base_radius", "breadth", "length"]).filter((key) => cam[key]);
   const pair = Object.entries(design.conjugate ?? {});
   return [
-    [t("report.kind"), t(`kind.${cam.kind}`)],
+    ...(cam.kind === "rotating" ? [] : [/** @type {[string, string]} */ ([t("report.kind"), t(`kind.${cam.kind}`)])]),
     [t("report.follower"), t(`follower.${design.follower.motion}-${design.follower.contact}`)],
     ...lengths.map((key) => /** @type {[string, string]} */ ([key === "base_radius" ? `${t("parameter.base_radius")} Rb` : t(`report.${key}`), format.number(cam[key], { unit })])),
     ...(mechanism.prime_radius === null || mechanism.roller_radius === 0 || !lengths.includes("base_radius") ? [] : [/** @type {[string, string]} */ ([`${t("report.prime_radius")} Rp`, format.number(mechanism.prime_radius, { unit })])]),
@@ -329,10 +329,11 @@ function motion({ store, lab, format }, step) {
   const every = Math.max(1, Math.round(((theta.length - 1) * step) / 360));
   const unit = { s: units.s, v: units.v, a: units.a, j: units.j, pressure_angle: "°", rho: units.length, x: units.length, y: units.length };
   const letter = { s: "s", v: "v", a: "a", j: "j", pressure_angle: "φ", rho: "ρ", x: "x", y: "y" };
-  const head = ["θ", ...columns.map(({ name, second }) => `${letter[/** @type {keyof typeof letter} */ (name)]}${second ? SECOND : ""}${inBrackets(unit[/** @type {keyof typeof unit} */ (name)])}`)];
+  const { report } = store.state;
+  const head = [report.travels ? `x (${units.length})` : "θ", ...columns.map(({ name, second }) => `${letter[/** @type {keyof typeof letter} */ (name)]}${second ? SECOND : ""}${inBrackets(unit[/** @type {keyof typeof unit} */ (name)])}`)];
   const rows = [];
   for (let i = 0; i < theta.length; i += every) {
-    rows.push([format.number(theta[i], "length" in store.lastGood().cam ? {} : { unit: "°" }), ...columns.map(({ values }) => format.quantity(tidy(values, i), { trim: true }))]);
+    rows.push([report.travels ? format.quantity(theta[i], { trim: true }) : format.number(theta[i], { unit: "°" }), ...columns.map(({ values }) => format.quantity(tidy(values, i), { trim: true }))]);
   }
   return grid(head, rows, conjugate ? "motion wide" : "motion");
 }

@@ -34,6 +34,7 @@ export const kindsEn = {
   "pair.face_radius.hint": "It need not be the same as that of the first.",
   "pair.added": "Second cam added.",
   "pair.impossible": "No second cam is possible with this follower and this motion: wherever the second element is fixed, its cam would be undercut, hollow or too steep. A larger base radius or a smaller travel gives room.",
+  "pair.remedy": "A smaller travel, or another base radius, arm or pivot distance, may give room.",
   "pair.told.radius": "The second base radius is {value}.",
   "pair.told.angle": "The angle between the arms is {value}.",
   "pair.from": "from {least}",

@@ -34,6 +34,7 @@ export const kindsEs = {
   "pair.face_radius.hint": "No tiene por qué ser el de la primera.",
   "pair.added": "Segunda leva añadida.",
   "pair.impossible": "Con este seguidor y este movimiento no es posible una segunda leva: se fije donde se fije el segundo elemento, su leva tendría rebaje, hueco o demasiada pendiente. Un radio base mayor o un recorrido menor dejan sitio.",
+  "pair.remedy": "Un recorrido menor, u otro radio base, brazo o distancia a la articulación, pueden dejar sitio.",
   "pair.told.radius": "El segundo radio base es {value}.",
   "pair.told.angle": "El ángulo entre los brazos es {value}.",
   "pair.from": "desde {least}",

@@ -169,6 +169,23 @@ pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f
     Some((least + inside, greatest - inside))
 }
 
+/// The tie of that kind with which the second cam passes its geometric limits by least: the nearest there is to a pair where none
+/// is possible. None when the kind of tie leaves no room at all.
+#[must_use]
+pub fn nearest_tie(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<Tie> {
+    let own = radius_index(&cam.follower).map_or(0.0, |index| cam.follower.values[index]);
+    let (low, high) = Across { cam, top: top(cam), radius: radius.unwrap_or(own) }.bounds(kind)?;
+    let excess = |value: f64, steps: usize| {
+        conjugate(cam, kind.with(value), radius).map_or(f64::INFINITY, |second| shortfall_of(&second, steps))
+    };
+    let high = if high.is_finite() { high } else { low + 10.0 * cam.size() };
+    let at = |i: usize| low + (high - low) * i as f64 / CANDIDATES as f64;
+    let fails: Vec<f64> = (0..=CANDIDATES).map(|i| excess(at(i), LOOK_STEPS)).collect();
+    let least = (1..CANDIDATES).min_by(|&a, &b| fails[a].total_cmp(&fails[b]))?;
+    let best = lowest(at(least - 1), at(least + 1), |value| excess(value, LEAST_STEPS));
+    fails[least].is_finite().then(|| kind.with(best))
+}
+
 /// Where `f` is least between two values, by the golden section.
 fn lowest(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_895;

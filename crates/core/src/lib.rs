@@ -54,7 +54,7 @@ mod svaj;
 pub use analysis::{Analysis, Column, Summary};
 pub use breadth::{Generator, MAX_SIDES, sharpest_base_radius};
 pub use cam::{Cam, Closure};
-pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, working_ties};
+pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, nearest_tie, working_ties};
 pub use cure::{Cure, prescribe};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use cycle::Cycle;

@@ -2,8 +2,11 @@
 
 use crate::cure::short_within;
 use crate::limits::{ANGLE, SIZE};
+use crate::report::Report;
 use crate::{Design, DesignError, Measure, Path, Problem};
-use levalab_core::{Cam, GeometryError, GeometryProblem, Motion, Tie, balanced_tie, conjugate, working_ties};
+use levalab_core::{
+    Analysis, Cam, GeometryError, GeometryProblem, Motion, Tie, balanced_tie, conjugate, nearest_tie, working_ties,
+};
 
 /// A second element fixed to the follower, on a second cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +71,18 @@ impl Design {
             let tie = kind.with(short_within(balanced.clamp(least, most), least, most)?);
             Some(Room { tie, least, most })
         }))
+    }
+
+    /// The nearest there is to a second cam tied in that way where none passes: the tie, in the unit of the design, and what is wrong
+    /// with the cam. None when there is no room at all, or the first cam cannot be.
+    #[must_use]
+    pub fn nearest_second(&self, kind: Tie, radius: Option<f64>) -> Option<(Tie, Report)> {
+        let alone = Self { conjugate: None, ..self.clone() };
+        let first = alone.cam().ok()?;
+        let tie = nearest_tie(&first, kind, radius)?;
+        let second = conjugate(&first, tie, radius).ok()?;
+        let report = Report::of(&alone, &second, &Analysis::of(&second, 1));
+        Some((if matches!(tie, Tie::Angle(_)) { tie.with(tie.value().to_degrees()) } else { tie }, report))
     }
 
     /// The second cam, when the design has one; `first` is its own cam.
@@ -142,7 +157,7 @@ mod tests {
             closer.conjugate = Some(Conjugate { tie: Tie::Distance(distance), radius: None });
             let first = closer.cam().expect("the first");
             let second = closer.second(&first).expect("a pair").expect("a second");
-            let findings = levalab_core::Analysis::of(&second, 1).findings;
+            let findings = Analysis::of(&second, 1).findings;
             assert_eq!(
                 findings.iter().all(|finding| finding.kind.is_of_the_motion()),
                 passes,

@@ -11,6 +11,7 @@ mod diagrams;
 mod instant;
 mod lab;
 mod marks;
+mod pair;
 mod plain;
 mod report;
 mod solve;
@@ -21,6 +22,7 @@ use levalab_core::Tie;
 use levalab_format::{Design, DesignError, link};
 use levalab_words::Language;
 use serde::Serialize;
+use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -94,15 +96,7 @@ pub fn room_for_second(
     #[wasm_bindgen(unchecked_param_type = "TieKey")] key: &str,
 ) -> Result<JsValue, JsError> {
     let mut value = plain::value(design);
-    // A pair that cannot be is asked about as well; only the radius of its second roller counts.
-    let pair = value.as_object_mut().and_then(|design| design.remove("conjugate"));
-    let radius =
-        pair.and_then(|pair| ["roller_radius", "face_radius"].into_iter().find_map(|key| pair.get(key)?.as_f64()));
-    let tie = match key {
-        "distance" => Tie::Distance(0.0),
-        "angle" => Tie::Angle(0.0),
-        _ => Tie::BaseRadius(0.0),
-    };
+    let (tie, radius) = tie_of(&mut value, key);
     let room = Design::from_value(&value).and_then(|design| design.room_for_second(tie, radius));
     let finite = |value: f64| value.is_finite().then_some(value);
     object(&room.ok().flatten().map(|room| PageRoom {
@@ -110,6 +104,20 @@ pub fn room_for_second(
         least: room.least,
         most: finite(room.most),
     }))
+}
+
+/// A kind of tie by its key, and the radius of the second roller. A pair that cannot be is asked about as well: it is taken out, and
+/// only that radius counts.
+pub(crate) fn tie_of(design: &mut Value, key: &str) -> (Tie, Option<f64>) {
+    let pair = design.as_object_mut().and_then(|design| design.remove("conjugate"));
+    let radius =
+        pair.and_then(|pair| ["roller_radius", "face_radius"].into_iter().find_map(|key| pair.get(key)?.as_f64()));
+    let tie = match key {
+        "distance" => Tie::Distance(0.0),
+        "angle" => Tie::Angle(0.0),
+        _ => Tie::BaseRadius(0.0),
+    };
+    (tie, radius)
 }
 
 fn speak(language: Language, error: &DesignError) -> Failure {

@@ -24,11 +24,13 @@ mod data_es;
 mod en;
 mod es;
 mod numbers;
+mod pair;
 mod units;
 mod voice;
 
 pub use application::{application_head, application_name, application_title, outcome};
 pub use numbers::notation;
+pub use pair::no_second;
 pub use voice::FileProblem;
 
 use levalab_core::{FollowerKind, Law, Level};

@@ -279,4 +279,33 @@ $$tan(φ) = (d s)/(d x), ρ_p = -((1 + (s')^2)^(3/2))/(s'')$$",
         ),
         drawing: None,
     },
+    Concept {
+        id: "application",
+        name: two("What the follower drives", "Lo que mueve el seguidor"),
+        text: two(
+            "A cam is there for what its follower drives. Everything here follows from the displacement $s$, above the lowest place of the follower, and from its velocity $V = v ω$; so the follower must slide, since the displacement of one that swings is an angle.
+
+- *Force*: a spring or a column of fluid that is shut in pushes back in proportion, $F = K s$. Of fluid behind a piston of radius $r$, whose pressure rises by $P/V$ for each unit of volume, $K = (P/V) A^2$ with $A = π r^2$, and $p = (P/V) A s$.
+- *Pump*: the piston has swept $A s$ and moves the flow $Q = A V$. What rises is delivered and what returns is drawn in, so each turn delivers $A$ times the sum of the rises; leaks and the time that its valves take are left out.
+- *Poppet valve*: the passage is the slant surface of a cone between the inner edge of the seat, of diameter $d$, and the head. With a seat at the angle $β$ to its plane
+
+$$A_v = π s cos(β)(d + s sin(β) cos(β))$$
+
+which is $π d s$ for a flat seat (Heywood, *Internal Combustion Engine Fundamentals*, §6.3.2, low lifts). High lifts, where the port itself restricts, are left out.
+
+The other way round, forces, volumes or lifts that were measured say what $s$ must be: divide them by $K$ or $A$ and lay the motion through them. Points to hit show how near it comes, each with its error: what is found less what was wanted.",
+            "Una leva existe por lo que mueve su seguidor. Todo lo de aquí sale del desplazamiento $s$, sobre el lugar más bajo del seguidor, y de su velocidad $V = v ω$; por eso el seguidor tiene que ser de traslación, pues el desplazamiento de uno oscilante es un ángulo.
+
+- *Fuerza*: un resorte o una columna de fluido encerrado empuja en proporción, $F = K s$. Con fluido tras un pistón de radio $r$, cuya presión sube $P/V$ por cada unidad de volumen, $K = (P/V) A^2$ con $A = π r^2$, y $p = (P/V) A s$.
+- *Bomba*: el pistón ha barrido $A s$ y mueve el caudal $Q = A V$. Lo que sube se entrega y lo que vuelve se aspira, así que cada vuelta entrega $A$ por la suma de las subidas; no se cuentan fugas ni el tiempo que tardan sus válvulas.
+- *Válvula de asiento*: el paso es la superficie inclinada de un cono entre el borde interior del asiento, de diámetro $d$, y la cabeza. Con un asiento al ángulo $β$ de su plano
+
+$$A_v = π s cos(β)(d + s sin(β) cos(β))$$
+
+que es $π d s$ con un asiento plano (Heywood, *Internal Combustion Engine Fundamentals*, §6.3.2, alzadas pequeñas). No se tratan las alzadas grandes, en las que limita el propio conducto.
+
+Al revés, unas fuerzas, volúmenes o alzadas medidos dicen cuánto ha de valer $s$: divídalos entre $K$ o $A$ y haga pasar el movimiento por ellos. Los puntos que alcanzar muestran cuánto se acerca, cada uno con su error: lo que resulta menos lo que se pedía.",
+        ),
+        drawing: None,
+    },
 ];

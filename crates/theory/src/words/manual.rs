@@ -97,6 +97,18 @@ Cada una de las {verdict.findings} dice qué está mal, dónde y cuánto; sus á
         ),
     },
     Screen {
+        id: "application",
+        name: two("Application", "Aplicación"),
+        text: two(
+            "{design.application}, below the program, opens a panel beside the mechanism for what the follower drives: a force, a piston on enclosed fluid, a pump or a valve. Its parameters are part of the design, in the link, the file and the exports.
+
+Each output has its diagram, {application.against.theta} or {application.against.time}, with the page's own cursor and the value there. Under {application.targets} type or paste places and values, one to a line; they are ringed in the diagram, and the table tells what is found at each and the error. A place in the table takes the cursor there.",
+            "{design.application}, bajo el programa, abre junto al mecanismo un panel para lo que mueve el seguidor: una fuerza, un pistón sobre fluido encerrado, una bomba o una válvula. Sus parámetros son parte del diseño, del enlace, del archivo y de las exportaciones.
+
+Cada resultado tiene su diagrama, {application.against.theta} o {application.against.time}, con el mismo cursor de la página y el valor en él. En {application.targets} escriba o pegue lugares y valores, uno por línea; se rodean en el diagrama, y la tabla dice el resultado y el error en cada uno. Un lugar de la tabla lleva allí el cursor.",
+        ),
+    },
+    Screen {
         id: "compare",
         name: two("Compare", "Comparar"),
         text: two(
@@ -128,12 +140,42 @@ En {compare.view.laws} el programa actual se mueve con cada una de las leyes, or
 
 Under {header.files}, {header.save} keeps the design as a file and {header.open} brings it back; a file can also be dropped on the page. {header.recent} lists the designs that this browser keeps; each tab has a design of its own. {header.undo} and {header.redo} cover everything, an opened link or file too.
 
-From the second visit on the page works without the network, and browsers offer to install it. A new version is announced and taken over whole, when you say so. The page can be printed from the browser: diagrams are drawn anew for paper.",
+From the second visit on the page works without the network, and browsers offer to install it. A new version is announced and taken over whole, when you say so.",
             "{header.share} copia un enlace que contiene todo el diseño: nada se envía a ningún servidor. Si un enlace se estropea por el camino, se avisa y nunca se abre como otra leva.
 
 En {header.files}, {header.save} guarda el diseño en un archivo y {header.open} lo recupera; un archivo también puede soltarse sobre la página. {header.recent} enumera los diseños que guarda este navegador; cada pestaña tiene el suyo. {header.undo} y {header.redo} lo cubren todo, también un enlace o un archivo abiertos.
 
-Desde la segunda visita la página funciona sin red, y los navegadores ofrecen instalarla. Una versión nueva se anuncia y se adopta entera, cuando usted lo diga. La página se imprime desde el navegador: los diagramas se dibujan de nuevo para el papel.",
+Desde la segunda visita la página funciona sin red, y los navegadores ofrecen instalarla. Una versión nueva se anuncia y se adopta entera, cuando usted lo diga.",
+        ),
+    },
+    Screen {
+        id: "export",
+        name: two("Export", "Exportar"),
+        text: two(
+            "{export.title} is under {header.files}. What it writes is loaded when it is first asked for; in the single file, {export.save} is left to the command line.
+
+- *XLSX* and *CSV* hold the design, the motion by angle and by time, the profile in polar and cartesian coordinates, the pitch curve, the verdict and, when there is one, the application; you choose the step of the angle. Numbers are numbers, with the decimal sign of the language's spreadsheets.
+- *DXF* holds the profile, the pitch curve and the base and prime circles, each on its layer, for CAD.
+- *STL* is a solid to print or to mill, with thickness, bore and keyway.
+- *SVG* and *PNG* are the cam to scale, or a diagram.",
+            "{export.title} está en {header.files}. Lo que escribe los archivos se carga la primera vez que se pide; en la página de un solo archivo, {export.save} queda para la línea de órdenes.
+
+- *XLSX* y *CSV* contienen el diseño, el movimiento por ángulo y por tiempo, el perfil en coordenadas polares y cartesianas, la curva primitiva, el veredicto y, si la hay, la aplicación; usted elige el paso del ángulo. Los números son números, con el signo decimal de las hojas de cálculo del idioma.
+- *DXF* contiene el perfil, la curva primitiva y las circunferencias base y primaria, cada una en su capa, para CAD.
+- *STL* es un sólido para imprimir o fresar, con espesor, agujero y chavetero.
+- *SVG* y *PNG* son la leva a escala, o un diagrama.",
+        ),
+    },
+    Screen {
+        id: "print",
+        name: two("Print", "Imprimir"),
+        text: two(
+            "{print.title}, Ctrl P, makes a report of one to three A4 pages: design and program, the cam at true scale where it fits, with a line to check the printer by, the verdict with its cures, the diagrams and the table at the step that you choose under {print.table}. Of a pair both cams are shown; an application brings its diagrams and the error at each point. Everything is drawn in lines.
+
+The browser's own print gives the same report, with the cam as it stands on the screen unless {print.title} was opened before.",
+            "{print.title}, Ctrl P, compone un informe de una a tres páginas A4: diseño y programa, la leva a escala real si cabe, con una línea para comprobar la impresora, el veredicto con sus remedios, los diagramas y la tabla con el paso que elija en {print.table}. De una pareja se muestran las dos levas; una aplicación aporta sus diagramas y el error en cada punto. Todo se dibuja con líneas.
+
+La impresión del propio navegador da el mismo informe, con la leva tal como está en la pantalla si no se abrió antes {print.title}.",
         ),
     },
     Screen {
