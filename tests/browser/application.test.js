@@ -114,6 +114,7 @@ test("a follower that swings drives nothing, and says why; a wedge delivers ther
   await page.getByRole("radio", { name: en("follower.oscillating-roller") }).check({ force: true });
   await becomes(() => panel(page).getByText(en("application.swings")).isVisible(), true);
   await becomes(() => kind(page).isVisible(), false);
+  assert.equal(await targets(page).isVisible(), false);
   await eventually(() => fragment(page), (link) => assert.doesNotMatch(link, /op_30/));
   await undo(page).click();
   await becomes(() => fragment(page), R6);

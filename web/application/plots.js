@@ -5,7 +5,7 @@
  * @import { Row } from "../stage/overlay.js"
  * @import { Work } from "./work.js"
  */
-import { h, write } from "../dom.js";
+import { h, symbol, write } from "../dom.js";
 import { choice } from "../stage/choice.js";
 import { cycleOf, decimalsOf, inside, played } from "../stage/clock.js";
 import { AT, instant } from "../stage/instant.js";
@@ -93,7 +93,7 @@ export function createPlots(context, work) {
     rows = outputs.map((output, index) => {
       const { canvas, letter, name, extremes } = /** @type {ReturnType<typeof figure>} */ (figures[index]);
       const { range, values } = caption(output);
-      write(letter, output.symbol);
+      letter.replaceChildren(output.symbol.length === 2 ? symbol(output.symbol) : output.symbol);
       write(name, `${output.name} (${output.unit})`);
       write(extremes, range);
       const count = index === report.main ? report.targets.length : 0;
@@ -120,9 +120,9 @@ export function createPlots(context, work) {
     if (!driven || !report || rows.length === 0) return;
     const { cursor, highlight, report: cam } = store.state;
     const at = driven.at(cursor);
-    report.outputs.forEach(({ symbol, unit }, index) => {
+    report.outputs.forEach(({ symbol: sign, unit }, index) => {
       const figure = figures[index];
-      if (figure) write(figure.value, `${symbol} = ${format.quantity(at[index], { unit })}`);
+      if (figure) write(figure.value, `${sign} = ${format.quantity(at[index], { unit })}`);
     });
     const place = `${letterOf(cam)} ${placeText(format, cam, cursor, decimalsOf({ cursor, playing: true }, cycleOf(cam)))}`;
     const seconds = `t ${format.quantity(instant(context)[AT.t], { unit: "s" })}`;

@@ -5,7 +5,7 @@ const SHEET = `
 @media screen { :root[data-theme="dark"] { --output: #5cc9d3; --output-2: #f0a868; } }
 #application-button { align-self: start; margin-block-start: var(--space-2); color: var(--accent); }
 #application { grid-area: diagrams-start / diagrams-start / readouts-end / diagrams-end; position: relative; z-index: 2; display: flex; flex-direction: column; gap: var(--space-3); padding: var(--space-2) var(--space-4) var(--space-3) var(--space-3); overflow: hidden auto; scrollbar-width: thin; background: var(--paper); border-inline-start: 1px solid var(--grid); }
-#application[hidden] { display: none; }
+#application[hidden], #application [hidden] { display: none; }
 [data-projector] #application { grid-area: diagrams; }
 .application-head { display: flex; align-items: baseline; gap: var(--space-3); }
 .application-head h2 { font-size: var(--size-large); }
@@ -21,12 +21,12 @@ const SHEET = `
 .application-plots { position: relative; display: flex; flex: none; flex-direction: column; gap: var(--space-1); }
 .application-plots figcaption { display: flex; flex-wrap: wrap; align-items: baseline; gap: 0 0.5em; color: var(--muted); font-size: var(--size-small); }
 .application-plots .symbol, .application-plots output { color: var(--curve); font-weight: 600; }
-.application-plots .symbol { font-size: 1.45em; }
+.application-plots figcaption > .symbol { font-size: 1.45em; }
 .application-plots output { margin-inline-start: auto; font-size: 1.15em; white-space: nowrap; }
 .application-plots figcaption .application-extremes { flex-basis: 100%; }
 .application-plots canvas.diagram-canvas { block-size: var(--tall, 180px); }
 .application-bar { display: flex; flex-wrap: wrap; align-items: center; justify-content: space-between; gap: var(--space-2); }
-.application-targets { display: grid; grid-template-columns: minmax(9.5rem, 11rem) minmax(0, 1fr); gap: var(--space-1) var(--space-3); padding: 0; }
+.application-targets { display: grid; grid-template-columns: minmax(8.5rem, 10rem) minmax(0, 1fr); gap: var(--space-1) var(--space-3); padding: 0; }
 .application-targets > :is(legend, .error, .hint, .application-of, .application-worst) { grid-column: 1 / -1; }
 .application-targets legend { font-weight: 600; }
 .application-of { display: flex; flex-wrap: wrap; align-items: center; gap: 0 var(--space-3); }

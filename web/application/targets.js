@@ -106,8 +106,9 @@ export function createTargets({ store, t, format }, work) {
     const { targets } = report;
     scroll.hidden = targets.length === 0;
     const columns = [letterOf(cam), "t", ...["wanted", "found", "error"].map((key) => t(`application.targets.${key}`))];
-    const units = [unitOfPlace(cam), "s", main.unit, main.unit, main.unit];
-    head.replaceChildren(...columns.map((name, k) => h("th", { scope: "col" }, `${name} (${units[k]})`)));
+    // The three values share the unit, which is told once: the panel is narrow.
+    const units = [unitOfPlace(cam), "s", "", "", main.unit];
+    head.replaceChildren(...columns.map((name, k) => h("th", { scope: "col" }, units[k] ? `${name} (${units[k]})` : name)));
     body.replaceChildren(...targets.map((target) => row(target)));
     const most = targets.reduce((most, target) => (Math.abs(target.error) > Math.abs(most?.error ?? 0) ? target : most), targets[0]);
     worst.hidden = !most;

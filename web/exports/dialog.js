@@ -11,7 +11,7 @@ import { picture, saveBlob } from "./save.js";
 import { dressed } from "./words.js";
 
 const FORMATS = /** @type {const} */ (["xlsx", "csv", "dxf", "stl", "svg", "png"]);
-const TABLES = ["everything", "design", "motion", "polar", "cartesian", "pitch-curve", "verdict"];
+const TABLES = ["everything", "design", "motion", "polar", "cartesian", "pitch-curve", "verdict", "application"];
 const DIAGRAMS = /** @type {const} */ (["s", "v", "a", "j", "pressure_angle", "rho", "contact"]);
 const STEPS = [0.25, 0.5, 1, 2, 2.5, 5, 10, 15];
 const WIDTHS = [800, 1600, 3200];
@@ -103,6 +103,8 @@ export function createExportDialog({ store, t, format, announce }) {
     for (const { unit } of [thickness, bore, keyWidth, keyDepth]) unit.textContent = report.units.length;
     if (thickness.input.value === "") thickness.input.value = fieldText(Number(usualThickness(store.lastGood()).toPrecision(2)), language);
     for (const option of what.options) if (option.value === "contact") option.hidden = !report.summary.contact;
+    for (const option of table.options) if (option.value === "application") option.hidden = !store.lastGood().application;
+    if (table.selectedOptions[0]?.hidden) table.value = "everything";
     separator.value = language === "es" ? "semicolon" : "comma";
     arrange();
   }

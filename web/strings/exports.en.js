@@ -22,6 +22,7 @@ export const exportsEn = {
   "export.table.cartesian": "Profile, x and y",
   "export.table.pitch-curve": "Pitch curve",
   "export.table.verdict": "Verdict",
+  "export.table.application": "Application",
   "export.step": "Step",
   "export.separator": "Signs",
   "export.separator.comma": "1.5, 2.5 (English)",

@@ -22,6 +22,7 @@ export const exportsEs = {
   "export.table.cartesian": "Perfil en x e y",
   "export.table.pitch-curve": "Curva primitiva",
   "export.table.verdict": "Veredicto",
+  "export.table.application": "Aplicación",
   "export.step": "Paso",
   "export.separator": "Signos",
   "export.separator.comma": "1.5, 2.5 (inglés)",
