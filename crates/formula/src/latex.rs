@@ -118,7 +118,7 @@ impl Writer {
         match function_name(name, self.language) {
             known @ ("sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" | "arg" | "min" | "max" | "sinh"
             | "cosh" | "tanh" | "ln") => format!("\\{known}"),
-            other => format!("\\operatorname{{{other}}}"),
+            other => format!("\\operatorname{{{}}}", other.replace('í', "\\acute{\\imath}").replace('á', "\\acute{a}")),
         }
     }
 
@@ -266,6 +266,7 @@ mod tests {
             assert_eq!(written(text, Language::En), expected);
         }
         assert_eq!(written("sin(x) = 0.5", Language::Es), "\\operatorname{sen} x = 0{,}5");
+        assert_eq!(written("min(a)", Language::Es), "\\operatorname{m\\acute{\\imath}n} a");
     }
 
     #[test]

@@ -133,7 +133,7 @@ pub fn solve(worked: &Worked, request: &Request) -> Document {
     if let (Some(second), None) = (&worked.second, request.segment) {
         let subject = worked.subject(second);
         let mut board = Board::new(&subject, request.language);
-        pair::write(&mut board, &place);
+        pair::write(&mut board, &worked.first.0, &place);
         blocks.extend(board.blocks);
     }
     Document { title, blocks }.with_symbols(&request.symbols)

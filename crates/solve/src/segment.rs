@@ -119,8 +119,8 @@ fn unit(board: &mut Board, part: &Part) {
     let Some(known) = written(&pieces) else {
         board.say(
             two(
-                "The acceleration of this law is given piece by piece; integrated twice, with $s$ and $v$ continuous, it gives:",
-                "La aceleración de esta ley se da por trozos; integrada dos veces, con $s$ y $v$ continuas, resulta:",
+                "The law with its numbers, each piece scaled by $L$ and $β$ and begun where the one before it ends:",
+                "La ley con sus números, cada trozo llevado a $L$ y $β$ y empezado donde acaba el anterior:",
             ),
             &[],
         );
@@ -204,11 +204,12 @@ pub fn sided(order: usize, sum: Formula, beta: &str) -> (Formula, Formula) {
         return (Formula::Product(vec![beta, left]), sum);
     }
     let one = Formula::Fraction(Box::new(Formula::Number("1".into())), Box::new(beta));
-    let inner = match sum {
-        Formula::Sum(_) | Formula::Negative(_) => Formula::Bracket(Box::new(sum)),
-        other => other,
+    let right = match sum {
+        Formula::Sum(_) | Formula::Negative(_) => Formula::Product(vec![one, Formula::Bracket(Box::new(sum))]),
+        // A point keeps the numbers of a single term apart from those of the fraction.
+        other => Formula::Times('·', Box::new(one), Box::new(other)),
     };
-    (left, Formula::Product(vec![one, inner]))
+    (left, right)
 }
 
 /// A row of coefficients for each piece.
