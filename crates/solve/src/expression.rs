@@ -24,6 +24,8 @@ enum Tree {
     Call(Function, Box<Tree>),
 }
 
+mod product;
+
 use Tree::Number;
 
 pub fn write(board: &mut Board, part: &Part, text: &str) {
@@ -175,17 +177,11 @@ fn outer(function: Function, u: &Tree) -> Tree {
     }
 }
 
-/// Without what adds nothing: zeros, ones, and numbers that multiply numbers.
+/// Without what adds nothing, and with like factors of a product together.
 fn simple(tree: Tree) -> Tree {
     let zero = |tree: &Tree| *tree == Number(0.0);
-    let one = |tree: &Tree| *tree == Number(1.0);
     let lighter = |tree: Box<Tree>| Box::new(simple(*tree));
     match tree {
-        Tree::Neg(a) => match simple(*a) {
-            Number(value) => Number(-value),
-            Tree::Neg(inner) => *inner,
-            other => Tree::Neg(Box::new(other)),
-        },
         Tree::Add(a, b) => match (lighter(a), lighter(b)) {
             (a, b) if zero(&a) => *b,
             (a, b) if zero(&b) => *a,
@@ -202,57 +198,12 @@ fn simple(tree: Tree) -> Tree {
                 b => Tree::Sub(a, Box::new(b)),
             },
         },
-        Tree::Mul(a, b) => times(simple(*a), simple(*b)),
-        Tree::Div(a, b) => match (simple(*a), simple(*b)) {
-            (a, _) if zero(&a) => Number(0.0),
-            (a, b) if one(&b) => a,
-            (Tree::Neg(a), b) => Tree::Neg(Box::new(Tree::Div(a, Box::new(b)))),
-            (a, b) => Tree::Div(Box::new(a), Box::new(b)),
-        },
-        Tree::Pow(a, b) => match (lighter(a), lighter(b)) {
-            (_, b) if zero(&b) => Number(1.0),
-            (a, b) if one(&b) => *a,
-            (a, b) => Tree::Pow(a, b),
-        },
+        Tree::Neg(a) => product::of(&Tree::Neg(lighter(a))),
+        Tree::Mul(a, b) => product::of(&Tree::Mul(lighter(a), lighter(b))),
+        Tree::Div(a, b) => product::of(&Tree::Div(lighter(a), lighter(b))),
+        Tree::Pow(a, b) => product::of(&Tree::Pow(lighter(a), lighter(b))),
         Tree::Call(function, a) => Tree::Call(function, lighter(a)),
         other => other,
-    }
-}
-
-/// A product with its number first and one sign before it.
-fn times(a: Tree, b: Tree) -> Tree {
-    match (a, b) {
-        (Number(a), Number(b)) => Number(a * b),
-        (Number(0.0), _) | (_, Number(0.0)) => Number(0.0),
-        (Number(1.0), other) | (other, Number(1.0)) => other,
-        (Tree::Neg(a), b) | (b, Tree::Neg(a)) => Tree::Neg(Box::new(times(*a, b))),
-        (Number(a), Tree::Mul(inner, rest)) if matches!(*inner, Number(_)) => times(times(Number(a), *inner), *rest),
-        (Number(a), Tree::Div(above, below)) => simple(Tree::Div(Box::new(times(Number(a), *above)), below)),
-        (Tree::Div(above, below), other) | (other, Tree::Div(above, below)) => {
-            let above = times(other, *above);
-            match (above, *below) {
-                // Fractions one after another share their line.
-                (Tree::Div(top, under), below) => Tree::Div(top, Box::new(power_of(*under, below))),
-                (above, below) => Tree::Div(Box::new(above), Box::new(below)),
-            }
-        }
-        (other, Number(a)) => times(Number(a), other),
-        (Tree::Mul(inner, rest), b) if matches!(*inner, Number(_)) => times(*inner, times(*rest, b)),
-        (a, Tree::Mul(inner, rest)) if matches!(*inner, Number(_)) => times(*inner, times(a, *rest)),
-        (a, b) => Tree::Mul(Box::new(a), Box::new(b)),
-    }
-}
-
-/// A product of two that are often the same letter.
-fn power_of(a: Tree, b: Tree) -> Tree {
-    let square = |a: Tree| Tree::Pow(Box::new(a), Box::new(Number(2.0)));
-    match (a, b) {
-        (a, b) if a == b => square(a),
-        (Tree::Pow(base, raised), b) if *base == b => match *raised {
-            Number(k) => Tree::Pow(base, Box::new(Number(k + 1.0))),
-            raised => Tree::Mul(Box::new(Tree::Pow(base, Box::new(raised))), Box::new(b)),
-        },
-        (a, b) => times(a, b),
     }
 }
 
@@ -275,7 +226,7 @@ fn formula(tree: &Tree) -> Formula {
         Tree::Neg(a) => Formula::Negative(of(a)),
         Tree::Add(a, b) => sum(a, '+', b),
         Tree::Sub(a, b) => sum(a, '−', b),
-        Tree::Mul(a, b) => product(formula(a), formula(b)),
+        Tree::Mul(a, b) => times(formula(a), formula(b)),
         Tree::Div(a, b) => Formula::Fraction(of(a), of(b)),
         Tree::Pow(a, b) => {
             // A sign, a product or a fraction below a power is told apart by the writers' parentheses.
@@ -312,8 +263,20 @@ fn sum(a: &Tree, sign: char, b: &Tree) -> Formula {
     Formula::Sum(terms)
 }
 
-fn product(a: Formula, b: Formula) -> Formula {
-    let pointed = matches!(b, Formula::Number(_) | Formula::Negative(_))
+/// True for what ends with the argument of a function, which would swallow a factor after it.
+fn ends_with_function(formula: &Formula) -> bool {
+    match formula {
+        Formula::Call(name, _) => !["sqrt", "exp"].contains(name),
+        Formula::Power(base, _) => ends_with_function(base),
+        Formula::Product(factors) => factors.last().is_some_and(ends_with_function),
+        Formula::Times(_, _, last) => ends_with_function(last),
+        _ => false,
+    }
+}
+
+fn times(a: Formula, b: Formula) -> Formula {
+    let pointed = ends_with_function(&a)
+        || matches!(b, Formula::Number(_) | Formula::Negative(_))
         || matches!(&b, Formula::Power(base, _) if matches!(**base, Formula::Number(_)));
     if pointed {
         return Formula::Times('·', Box::new(a), Box::new(b));
@@ -334,6 +297,25 @@ mod tests {
     use super::*;
     use levalab_core::Variables;
     use nalgebra::Complex;
+
+    #[test]
+    fn derivatives_are_as_short_as_by_hand() {
+        let expression = Expression::parse("s0 + L (x - sin(2π x)/(2π))").expect("read");
+        let mut tree = tree_of(expression.ops()).expect("a tree");
+        let mut found = Vec::new();
+        for _ in 1..4 {
+            tree = simple(derivative(&tree));
+            found.push(levalab_formula::latex(&formula(&tree), levalab_words::Language::En));
+        }
+        assert_eq!(
+            found,
+            [
+                "L \\left(\\frac{1}{\\beta} - \\frac{\\cos 2 \\pi x}{\\beta}\\right)",
+                "\\frac{2 \\pi L \\sin 2 \\pi x}{\\beta^{2}}",
+                "\\frac{4 \\pi^{2} L \\cos 2 \\pi x}{\\beta^{3}}"
+            ]
+        );
+    }
 
     #[test]
     fn printed_derivatives_are_those_of_the_core() {
