@@ -17,7 +17,7 @@ const SHEET = `
 .solution h3 { margin: 1.6em 0 0.4em; font-size: 1.2em; }
 .solution h4 { margin: 1.4em 0 0.4em; font-size: 1em; }
 .solution p { margin: 0.5em 0; max-inline-size: 75ch; }
-.solution ul { margin: 0.5em 0; padding-inline-start: 1.3em; }
+.solution ul { margin: 0.5em 0; padding-inline-start: 1.3em; list-style: disc; }
 .solution li + li { margin-block-start: 0.4em; }
 .solution math { font-family: "STIX Two Math", "Cambria Math", "Latin Modern Math", "Libertinus Math", var(--font-math); font-size: 1.08em; }
 .solution .formula { display: flex; flex-wrap: wrap; align-items: center; gap: 0.35em 1.8em; margin: 0.5em 0; padding: 0.15em 0 0.15em 1.5em; overflow-x: auto; overflow-y: hidden; }

@@ -19,7 +19,11 @@ pub fn derivative(form: &Form, order: usize, letter: &str) -> Option<Formula> {
         Form::Formula(_) => return None,
     };
     let mut terms = Terms::default();
-    for (k, text) in number::coefficients(&differentiated(&powers, order)).iter().enumerate() {
+    // What is rounding beside the waves is none of the polynomial's either.
+    let highest =
+        waves.iter().map(|wave| (wave.amplitude * wave.frequency.powi(order as i32)).abs()).fold(0.0, f64::max);
+    let powers: Vec<f64> = differentiated(&powers, order).into_iter().map(|c| number::settled(c, highest)).collect();
+    for (k, text) in number::coefficients(&powers).iter().enumerate() {
         terms.add(text, power(&letter, k));
     }
     for wave in waves {

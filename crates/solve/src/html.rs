@@ -35,7 +35,7 @@ mtable.lines>mtr>mtd:first-child{text-align:right;padding-right:0}mtable.lines>m
 @page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4,p:has(+.formula),p:has(+.short){break-after:avoid}.wide{font-size:80%}.formula,.short,tr{break-inside:avoid}}";
 
 /// Rows of a table that need not be parted between two pages.
-const SHORT: usize = 14;
+const SHORT: usize = 8;
 
 fn of_block(block: &Block, language: Language) -> Node {
     match block {

@@ -50,7 +50,18 @@ fn size_of(board: &Board) -> f64 {
 fn slope(board: &mut Board, symbol: &str) {
     let cam = board.cam();
     let limit = number::angle(cam.follower.pressure_angle_limit().to_degrees());
-    let (value, at) = board.subject.analysis.summary.pressure_angle.greatest_size();
+    let angles = board.subject.analysis.summary.pressure_angle;
+    let (value, at) = angles.greatest_size();
+    if angles.max - angles.min <= number::NEGLIGIBLE {
+        let told = format!("$|φ| = {}{{°}}$", number::angle(value.to_degrees()));
+        return board.say(
+            two(
+                "The pressure angle is the same all along, {value}, whatever the size; the limit is {limit}.",
+                "El ángulo de presión es siempre el mismo, {value}, con cualquier tamaño; el límite es {limit}.",
+            ),
+            &[("value", &told), ("limit", &format!("${limit}{{°}}$"))],
+        );
+    }
     board.say(
         two(
             "From the pressure angle: $|φ|$ is greatest at $θ = {at}$,",
