@@ -6,7 +6,7 @@ export const solutionEn = {
   "solution.segment": "Show",
   "solution.all": "The whole solution",
   "solution.theta": "Numbers at θ",
-  "solution.theta.free": "|v| greatest",
+  "solution.theta.free": "max |v|",
   "solution.follows": "at the cursor",
   "solution.latex": "Copy LaTeX",
   "solution.latex.name": "LaTeX",

@@ -6,7 +6,7 @@ export const solutionEs = {
   "solution.segment": "Mostrar",
   "solution.all": "Toda la solución",
   "solution.theta": "Sustituir en θ",
-  "solution.theta.free": "|v| máxima",
+  "solution.theta.free": "|v| máx.",
   "solution.follows": "en el cursor",
   "solution.latex": "Copiar LaTeX",
   "solution.latex.name": "LaTeX",
