@@ -17,6 +17,7 @@ import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
 import { inSight, letterOf, placeText, seesSecond } from "./stage/place.js";
 import { PLOTS, TABS, rangeOf, styleOf, tabOf, unitOf } from "./stage/plots.js";
 import { vectorDrawings } from "./stage/print.js";
+import { plain } from "./signs.js";
 
 /** plotters draws at whole pixels: with fewer than two of them for a CSS pixel slow curves show steps. */
 const LEAST_RATIO = 2;
@@ -92,7 +93,7 @@ export function mount(root, context) {
     void explain();
     for (const { plot, canvas } of Object.values(figures)) {
       const name = t(`diagram.name.${plot.diagram}`);
-      const letter = perSecond ? plot.perSecond : plot.letter;
+      const letter = plain(perSecond ? plot.perSecond : plot.letter);
       canvas.setAttribute("aria-label", alternative(plot, name.charAt(0).toLocaleUpperCase() + name.slice(1), letter, unitOf(plot, report, perSecond)));
     }
   });
@@ -200,7 +201,7 @@ export function mount(root, context) {
     overlay.setAttribute("aria-valuemax", String(report.span));
     cams.element.hidden = report.conjugate === null;
     cams.word(t("diagram.cams"), (value) => t(`diagram.cam.${value}`), (value) => t(`diagram.cam.${value}.long`), seesSecond(store.state) ? "second" : "first");
-    tabs.word(t("diagram.choose"), (value) => SHORT[/** @type {Tab} */ (value)], (value) => t(`diagram.tab.${value}`), tab);
+    tabs.word(t("diagram.choose"), (value) => plain(SHORT[/** @type {Tab} */ (value)]), (value) => t(`diagram.tab.${value}`), tab);
     timing.word(t("diagram.timing"), (value) => (travels && value === "radian" ? t("diagram.per.length.short", { unit: report.units.length }) : t(`diagram.per.${value}.short`)), (value) => (travels && value === "radian" ? t("diagram.per.length") : t(`diagram.per.${value}`)), perSecond ? "second" : "radian");
   }
 
@@ -209,7 +210,7 @@ export function mount(root, context) {
     const { perSecond } = store.state;
     const report = inSight(store.state);
     for (const { plot, letter, name, unit } of Object.values(figures)) {
-      write(letter, perSecond ? plot.perSecond : plot.letter);
+      write(letter, plain(perSecond ? plot.perSecond : plot.letter));
       write(name, t(`diagram.name.${plot.diagram}`));
       write(unit, unitOf(plot, report, perSecond));
     }

@@ -1,5 +1,7 @@
 /** Making elements without markup: text only ever goes in as text. */
 
+import { parts, sign } from "./signs.js";
+
 const SVG = "http://www.w3.org/2000/svg";
 
 /** @typedef {Node | string | null | undefined | false} Child */
@@ -55,12 +57,22 @@ export function write(node, text) {
 }
 
 /**
- * A symbol as in the books: italic letter, upright index. "Rb" and "R_b" give R with b below.
- * @param {string} symbol
+ * A symbol as in the books: italic letter, upright index. "Rb" and "R_b" give R with b below. It is that of the notation in use, unless
+ * its letter is the follower's own.
+ * @param {string} ours
+ * @param {boolean} [fixed]
  */
-export function symbol(symbol) {
-  const [, letter = symbol, index = ""] = /^(.)_?(.*)$/u.exec(symbol) ?? [];
-  const node = h("i", { class: "symbol" }, letter);
-  if (index) node.append(h("sub", {}, index));
+export function symbol(ours, fixed = false) {
+  const node = h("i", { class: "symbol" });
+  const dress = () => {
+    const { letter, index } = parts(fixed ? ours : sign(ours));
+    node.replaceChildren(letter);
+    if (index) node.append(h("sub", {}, index));
+  };
+  dress();
+  if (!fixed) {
+    node.dataset["sign"] = "";
+    node.addEventListener("sign", dress);
+  }
   return node;
 }

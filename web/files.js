@@ -44,8 +44,9 @@ export function createFiles(context, texts, engine) {
   const recent = texts.text(h("button", { type: "button", "aria-haspopup": "dialog" }), "header.recent");
   const exports = texts.text(h("button", { type: "button", "aria-haspopup": "dialog" }), "header.export");
   const paper = texts.text(h("button", { type: "button", "aria-haspopup": "dialog", "aria-keyshortcuts": "Control+P" }), "header.print");
+  const symbols = texts.text(h("button", { type: "button", "aria-haspopup": "menu" }), "header.notation");
   // A page on disk may load nothing: there only the command line writes other files.
-  const menu = createMenu("files-menu", [open, recent, save, ...(isSingleFile() ? [] : [exports]), paper]);
+  const menu = createMenu("files-menu", [open, recent, save, ...(isSingleFile() ? [] : [exports]), paper, symbols]);
   const openFile = opener(context, engine);
   /** @type {Promise<() => Promise<void>> | undefined} */
   let recentDialog;
@@ -53,6 +54,8 @@ export function createFiles(context, texts, engine) {
   let exportDialog;
   /** @type {Promise<() => Promise<void>> | undefined} */
   let printDialog;
+  /** @type {Promise<{ open: (anchor: HTMLElement) => void }> | undefined} */
+  let notationMenu;
   const files = texts.text(h("button", { type: "button", class: "quiet drop", "aria-haspopup": "menu" }), "header.files");
 
   files.addEventListener("click", () => menu.open(files));
@@ -73,6 +76,10 @@ export function createFiles(context, texts, engine) {
   paper.addEventListener("click", async () => {
     printDialog ??= import("./exports/print-dialog.js").then(({ createPrintDialog }) => createPrintDialog(context));
     await (await printDialog)();
+  });
+  symbols.addEventListener("click", async () => {
+    notationMenu ??= import("./notation.js").then(({ createNotationMenu }) => createNotationMenu(context));
+    (await notationMenu).open(files);
   });
   addEventListener("keydown", (event) => {
     const asked = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey && event.key.toLowerCase() === "p";

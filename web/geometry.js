@@ -64,7 +64,7 @@ export function createGeometry(context, texts) {
   });
   const pace = createNumberField(context, {
     id: "field-pace",
-    label: symbol("v"),
+    label: symbol("v", true),
     name: () => t("parameter.pace"),
     unit: () => store.state.design.speed.unit,
     read: (design) => design.speed.value,
@@ -106,16 +106,18 @@ export function createGeometry(context, texts) {
   function createField({ key, symbol: sign, quantity }) {
     /** @param {Readonly<Design>} design */
     const home = (design) => /** @type {Record<string, unknown>} */ (OF_THE_CAM.includes(key) ? design.cam : design.follower);
+    // A notation may count an eccentricity the other way: it is shown and typed so, and kept as ever.
+    const turned = () => (key === "eccentricity" ? (store.state.report.notation?.eccentricity ?? 1) : 1);
     const field = createNumberField(context, {
       id: `field-${key}`,
-      label: symbol(sign),
+      label: symbol(sign, key === "arm"),
       name: () => t(`parameter.${key}`),
       unit: () => (quantity === "length" ? store.state.design.length_unit : quantity === "angle" ? "°" : ""),
       read: (design) => {
         const value = home(design)[key];
-        return typeof value === "number" ? value : 0;
+        return typeof value === "number" ? value * turned() + 0 : 0;
       },
-      write: (draft, value) => (home(draft)[key] = value),
+      write: (draft, value) => (home(draft)[key] = value * turned() + 0),
       step: (design) => (quantity === "length" ? lengthStep(design) : quantity === "angle" ? 1 : 0.05),
       path: () => `${OF_THE_CAM.includes(key) ? "cam" : "follower"}.${key}`,
       highlight: () => ({ parameter: key }),

@@ -5,6 +5,7 @@
  * @import { FollowerEntry, KindId } from "./types.d.ts"
  */
 import { s } from "./dom.js";
+import { sign } from "./signs.js";
 import { arcArrow, arrow, circle, letter, lobe, path, polar, stroke } from "./sketch.js";
 
 /** @typedef {import("./sketch.js").Point} Point */
@@ -71,6 +72,7 @@ export function createHelpDrawing({ pick, point }) {
       /** @type {Symbols} */
       const symbols = { base_radius: "R_b", breadth: "d_c", length: "ℓ" };
       for (const parameter of entry.parameters) symbols[parameter.key] = parameter.symbol;
+      for (const [key, ours] of Object.entries(symbols)) if (key !== "arm") symbols[key] = sign(ours);
       const now = (wanted = `${kind} ${entry.id}`);
       const plain = () => (DRAWINGS[entry.id] ?? anyFollower)(symbols);
       const top = entry.motion === "oscillating" ? ROOM : 0;

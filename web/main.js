@@ -16,6 +16,7 @@ import * as mechanism from "./mechanism.js";
 import { createFormat } from "./numbers.js";
 import * as readouts from "./readouts.js";
 import { shelve } from "./shelf.js";
+import { say, speakIn } from "./signs.js";
 import { store } from "./store.js";
 import { createTranslate, learn } from "./strings/index.js";
 import * as transport from "./transport.js";
@@ -45,7 +46,12 @@ async function start() {
   shelve(example);
 
   store.connect({
-    analyse: (design) => engine.analyse(design, t("banner.panic")),
+    analyse(design) {
+      const opened = engine.analyse(design, t("banner.panic"));
+      if (opened.error) opened.error.message = say(opened.error.message);
+      else if (speakIn(opened.report?.notation)) store.touch("language");
+      return opened;
+    },
     failed(error) {
       if (!engine.failed(error)) throw error;
     },

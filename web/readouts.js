@@ -9,6 +9,7 @@ import { cycleOf, decimalsOf } from "./stage/clock.js";
 import { AT, instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 import { inSight, letterOf, seesSecond, unitOfPlace } from "./stage/place.js";
+import { era, plain } from "./signs.js";
 
 const SIGNIFICANT = 5;
 /** Numbers with a zero behind the point and derivatives by length: a figure less leaves room for their zeros. */
@@ -107,7 +108,7 @@ export function mount(root, context) {
     const { perSecond, language } = store.state;
     const report = inSight(store.state);
     const { units, mechanism } = report;
-    const next = [language, perSecond, report.travels, mechanism.contact, units.s, units.length, ...cells.map(({ reading }) => `${digitsOf(reading, report, perSecond)}:${Math.floor(Math.log10(reading.size(report, perSecond) || 1))}`)].join();
+    const next = [language, era(), perSecond, report.travels, mechanism.contact, units.s, units.length, ...cells.map(({ reading }) => `${digitsOf(reading, report, perSecond)}:${Math.floor(Math.log10(reading.size(report, perSecond) || 1))}`)].join();
     if (next === laid) return;
     laid = next;
     root.setAttribute("aria-label", t("readout.title"));
@@ -117,7 +118,7 @@ export function mount(root, context) {
       const { reading } = cell;
       cell.digits = digitsOf(reading, report, perSecond);
       const place = reading.place < 0;
-      cell.letter.textContent = place ? letterOf(report) : perSecond ? reading.timed : reading.letter;
+      cell.letter.textContent = place ? letterOf(report) : plain(perSecond ? reading.timed : reading.letter);
       const name = t(place && report.travels ? "readout.place" : reading.name === "sliding" && report.mechanism.contact === "roller" ? "readout.rolling" : `readout.${reading.name}`);
       cell.name.textContent = ` ${name}`;
       cell.element.title = name;

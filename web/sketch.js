@@ -1,5 +1,6 @@
 /** Strokes of a dimensioned technical drawing, in SVG; x to the right, y down. */
 import { s } from "./dom.js";
+import { parts } from "./signs.js";
 
 /** @typedef {{ x: number, y: number }} Point */
 
@@ -109,7 +110,7 @@ export function arcArrow(centre, r, from, to) {
  * @param {"start" | "middle" | "end"} [anchor]
  */
 export function letter(symbol, at, anchor = "middle") {
-  const [, main = symbol, index = ""] = /^(.)_?(.*)$/u.exec(symbol) ?? [];
+  const { letter: main, index } = parts(symbol);
   const text = s("text", { x: short(at.x), y: short(at.y), "text-anchor": anchor, class: "dim-text" }, s("tspan", { class: "symbol" }, main));
   if (index) text.append(s("tspan", { class: "index", dy: 3 }, index));
   return text;

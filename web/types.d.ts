@@ -111,6 +111,8 @@ export interface Design {
   conjugate?: Partial<Record<TieKey | "roller_radius" | "face_radius", number>>;
   /** What the follower drives. */
   application?: ApplicationDesign;
+  /** Whose symbols it is told in; ours when left out. */
+  notation?: string;
   /** Empty when the motion is ready-made. */
   segments: Segment[];
 }
@@ -325,6 +327,8 @@ export interface Report {
   conjugate: Report | null;
   /** Angle between the arms of a pair that swings, degrees. */
   pair_angle: number | null;
+  /** Symbols other than ours, by ours, and the sign with which an eccentricity is told. */
+  notation?: { symbols: Record<string, string>; eccentricity: number };
 }
 
 export type Opened = { report: Report; error?: undefined } | { error: DesignError; report?: undefined };

@@ -5,6 +5,7 @@
  */
 import { h, s } from "../dom.js";
 import { SHAPES } from "../verdict.js";
+import { plain } from "../signs.js";
 
 /** Places in the engine's figures. */
 export const FIGURES = Object.freeze({ level: 0, lift: 1, v: 2, a: 3, j: 4, V: 5, A: 6, J: 7, least: 8, greatest: 9, steepest: 10, rho: 11, face: 12 });
@@ -22,7 +23,7 @@ export function verdict(t, level) {
 
 /** A quantity's letter, between bars when it is a peak. @param {string} letter @param {string} token @param {boolean} [peak] */
 export function letter(letter, token, peak = false) {
-  const node = h("i", { class: "symbol" }, letter);
+  const node = h("i", { class: "symbol" }, plain(letter));
   node.style.color = `var(--${token})`;
   return h("span", { class: "compare-letter" }, peak ? "|" : "", node, peak ? "|" : "");
 }

@@ -112,7 +112,7 @@ export function createSlateTable({ store, lab, t, format }, slate, say) {
         "td",
         { class: "compare-geometry" },
         h("span", {}, t(`follower.${design.follower.motion}-${design.follower.contact}`), "conjugate" in design ? ` · ${t("compare.pair")}` : null),
-        h("span", {}, ...geometry.flatMap(([name, value]) => [symbol(String(name)), ` ${quantity(format, Number(value), own)}\u2003`])),
+        h("span", {}, ...geometry.flatMap(([name, value]) => [symbol(String(name), name === "A"), ` ${quantity(format, Number(value) * (name === "e" ? (report.notation?.eccentricity ?? 1) : 1) + 0, own)}\u2003`])),
       ),
       h("td", {}, quantity(format, figures[FIGURES.lift], travel ? undefined : report.units.s)),
       ...PEAKS.map((names) => h("td", {}, ...names.map((name) => h("span", { class: "compare-line" }, peak(name))))),

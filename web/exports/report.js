@@ -12,6 +12,7 @@ import { PLOTS, styleOf, unitOf } from "../stage/plots.js";
 import { parse } from "../stage/print.js";
 import { loadExports } from "./writers.js";
 import { dressed } from "./words.js";
+import { plain } from "../signs.js";
 
 /** What the cam may take of an A4 page, mm: the width between its margins, and the height that design and program leave. */
 const ROOM = 186;
@@ -172,7 +173,7 @@ function magnitudes({ t, format, catalogue, store }, design) {
   const rows = (entry?.parameters ?? []).flatMap(({ key, symbol, quantity, default: usual }) => {
     const value = design.follower[key] ?? usual;
     if (typeof value !== "number") return [];
-    return [/** @type {[string, string]} */ ([`${t(`parameter.${key}`)} ${symbol}`, format.number(value, { unit: quantity === "length" ? unit : "°" })])];
+    return [/** @type {[string, string]} */ ([`${t(`parameter.${key}`)} ${key === "arm" ? symbol : plain(symbol)}`, format.number(key === "eccentricity" ? value * (store.state.report.notation?.eccentricity ?? 1) + 0 : value, { unit: quantity === "length" ? unit : "°" })])];
   });
   const speed = `${format.number(design.speed.value)} ${design.speed.unit}${design.speed.unit === "rad/s" || store.state.report.travels ? "" : ` = ${format.quantity(omega, { trim: true })} rad/s`}`;
   const { cam } = design;
@@ -181,13 +182,13 @@ function magnitudes({ t, format, catalogue, store }, design) {
   return [
     ...(cam.kind === "rotating" ? [] : [/** @type {[string, string]} */ ([t("report.kind"), t(`kind.${cam.kind}`)])]),
     [t("report.follower"), t(`follower.${design.follower.motion}-${design.follower.contact}`)],
-    ...lengths.map((key) => /** @type {[string, string]} */ ([key === "base_radius" ? `${t("parameter.base_radius")} Rb` : t(`report.${key}`), format.number(cam[key], { unit })])),
-    ...(mechanism.prime_radius === null || mechanism.roller_radius === 0 || !lengths.includes("base_radius") ? [] : [/** @type {[string, string]} */ ([`${t("report.prime_radius")} Rp`, format.number(mechanism.prime_radius, { unit })])]),
+    ...lengths.map((key) => /** @type {[string, string]} */ ([key === "base_radius" ? `${t("parameter.base_radius")} ${plain("R_b")}` : t(`report.${key}`), format.number(cam[key], { unit })])),
+    ...(mechanism.prime_radius === null || mechanism.roller_radius === 0 || !lengths.includes("base_radius") ? [] : [/** @type {[string, string]} */ ([`${t("report.prime_radius")} ${plain("R_p")}`, format.number(mechanism.prime_radius, { unit })])]),
     ...rows,
     ...pair.map(([key, value]) => /** @type {[string, string]} */ ([t(`pair.${key}`), format.number(value, { unit: key === "angle" ? "°" : unit })])),
     [t("parameter.speed"), speed],
     ...(cam.rotation ? [/** @type {[string, string]} */ ([t("report.rotation"), t(`report.rotation.${cam.rotation}`)])] : []),
-    [`φ ${t("report.limit")}`, format.number(pressure_angle_limit, { unit: "°" })],
+    [`${plain("φ")} ${t("report.limit")}`, format.number(pressure_angle_limit, { unit: "°" })],
   ];
 }
 
@@ -330,7 +331,7 @@ function motion({ store, lab, format }, step) {
   const unit = { s: units.s, v: units.v, a: units.a, j: units.j, pressure_angle: "°", rho: units.length, x: units.length, y: units.length };
   const letter = { s: "s", v: "v", a: "a", j: "j", pressure_angle: "φ", rho: "ρ", x: "x", y: "y" };
   const { report } = store.state;
-  const head = [report.travels ? `x (${units.length})` : "θ", ...columns.map(({ name, second }) => `${letter[/** @type {keyof typeof letter} */ (name)]}${second ? SECOND : ""}${inBrackets(unit[/** @type {keyof typeof unit} */ (name)])}`)];
+  const head = [report.travels ? `x (${units.length})` : "θ", ...columns.map(({ name, second }) => `${["x", "y"].includes(name) ? name : plain(letter[/** @type {keyof typeof letter} */ (name)])}${second ? SECOND : ""}${inBrackets(unit[/** @type {keyof typeof unit} */ (name)])}`)];
   const rows = [];
   for (let i = 0; i < theta.length; i += every) {
     rows.push([report.travels ? format.quantity(theta[i], { trim: true }) : format.number(theta[i], { unit: "°" }), ...columns.map(({ values }) => format.quantity(tidy(values, i), { trim: true }))]);

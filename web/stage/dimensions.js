@@ -5,6 +5,7 @@
  * @import { Pen } from "./pen.js"
  */
 import { AT } from "./instant.js";
+import { parts, sign } from "../signs.js";
 
 /** @typedef {[number, number]} Point */
 
@@ -155,7 +156,8 @@ function tick(context, x, y, angle) {
  */
 function label(pen, symbol, text, x, y, level, colour) {
   const { context, palette } = pen;
-  const [letter = "", index = ""] = symbol.split("_");
+  // The A of an arm is no acceleration.
+  const { letter, index } = parts(symbol === "A" ? symbol : sign(symbol));
   const size = palette.size * 1.2;
   const [italic, small, upright] = [`italic ${size}px ${palette.fontMath}`, `${size * 0.72}px ${palette.fontMath}`, `600 ${palette.size}px ${palette.font}`];
   context.textBaseline = "alphabetic";

@@ -16,6 +16,7 @@ import { AT, newInstant } from "./instant.js";
 import { drawNormal } from "./layers.js";
 import { hatch, polygon, rectangle } from "./shapes.js";
 import { include } from "./view.js";
+import { plain } from "../signs.js";
 
 /**
  * @typedef {object} Frame  what is drawn in one frame
@@ -173,7 +174,7 @@ function yoke(report, lab) {
       for (let place = AT.contactX; place <= AT.centreY; place++) far[place] = -value(far, place);
       if (radius > 0 && cam.rolled) drawRoller(pen, value(far, AT.traceX), value(far, AT.traceY), between(cam.rolled, (state.cursor + 180) % 360), radius);
       pen.screen();
-      if (layer("normal")) drawNormal(pen, report, far, `φ = ${format.angle(far[AT.pressureAngle])}`);
+      if (layer("normal")) drawNormal(pen, report, far, `${plain("φ")} = ${format.angle(far[AT.pressureAngle])}`);
       pen.dot(value(far, AT.contactX), value(far, AT.contactY), 4, pen.palette.ink);
       frame.measure(pen, pose, radius, breadth, "d_c", format.number(Number(breadth.toPrecision(9)), { unit: report.units.length }), state.highlight?.parameter === "breadth");
     },
@@ -252,7 +253,7 @@ function pair(report, lab, other) {
       }
       if (cam.rolled) drawRoller(pen, value(at2, AT.traceX), value(at2, AT.traceY), between(cam.rolled, state.cursor), radius2);
       pen.screen();
-      if (layer("normal")) drawNormal(pen, other, at2, `φ = ${format.angle(at2[AT.pressureAngle])}`);
+      if (layer("normal")) drawNormal(pen, other, at2, `${plain("φ")} = ${format.angle(at2[AT.pressureAngle])}`);
       pen.dot(value(at2, AT.contactX), value(at2, AT.contactY), 4, palette.ink);
       const lit = state.highlight?.parameter?.startsWith("conjugate") ?? false;
       if (frame) frame.measure(pen, pose, 0, gap, "D", format.number(Number(gap.toPrecision(9)), { unit: report.units.length }), lit);

@@ -18,6 +18,7 @@ import { LAYERS, applies, drawAxes, drawBase, drawNormal, drawOsculating, drawPr
 import { placeIn } from "./place.js";
 import { buildStations, drawStations, stationsReach } from "./stations.js";
 import { include } from "./view.js";
+import { plain } from "../signs.js";
 
 /** A jump of the cursor over more than this is taken for the passage of 360°, not for a move. */
 const PASSAGE = 180;
@@ -127,7 +128,7 @@ export class Scene {
     dress?.front?.(pen, frame);
     pen.screen();
     if (shown(state, "osculating", report)) drawOsculating(pen, at);
-    if (shown(state, "normal", report)) drawNormal(pen, report, at, `φ = ${format.angle(at[AT.pressureAngle])}`);
+    if (shown(state, "normal", report)) drawNormal(pen, report, at, `${plain("φ")} = ${format.angle(at[AT.pressureAngle])}`);
     pen.dot(/** @type {number} */ (at[AT.contactX]), /** @type {number} */ (at[AT.contactY]), 4, pen.palette.ink);
     this.#drawParameter(pen, state, at, format);
     drawScale(pen, report, format, height);

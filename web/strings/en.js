@@ -29,6 +29,7 @@ export const en = {
   "header.open": "Open a design file…",
   "header.recent": "Recent designs…",
   "header.export": "Export…",
+  "header.notation": "Notation…",
   "header.print": "Print…",
   "header.save": "Save as a design file",
   "header.solution": "Solution",

@@ -29,6 +29,7 @@ export const es = {
   "header.open": "Abrir un archivo de diseño…",
   "header.recent": "Diseños recientes…",
   "header.export": "Exportar…",
+  "header.notation": "Notación…",
   "header.print": "Imprimir…",
   "header.save": "Guardar como archivo de diseño",
   "header.solution": "Solución",

@@ -3,6 +3,7 @@
  *
  * @import { Language, Translate } from "../types.d.ts"
  */
+import { say } from "../signs.js";
 
 /** A sentence, or its forms by number: `{ one: "{count} joint", other: "{count} joints" }`. */
 /** @typedef {string | { one: string, other: string }} Phrase */
@@ -38,7 +39,7 @@ export function createTranslate(language) {
   return (key, values = {}) => {
     const phrase = LANGUAGES[language()][key];
     if (phrase === undefined) return humble(key);
-    const text = typeof phrase === "string" ? phrase : phrase[form(language(), values["count"])];
+    const text = say(typeof phrase === "string" ? phrase : phrase[form(language(), values["count"])]);
     return text.replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name] ?? ""));
   };
 }

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::input;
 use levalab_core::{Analysis, Level};
 use levalab_format::{Contender, Design, Figures, tournament};
-use levalab_words::Language;
+use levalab_words::{Language, Signs};
 use std::cmp::Ordering;
 
 /// What a tournament is ranked by.
@@ -29,10 +29,13 @@ const GAP: &str = "  ";
 
 /// A line for each design.
 pub fn designs(files: &[String], language: Language) -> Result<String, Failure> {
-    let mut rows = vec![heads(["", "Rb"])];
+    let mut rows = Vec::new();
     for file in files {
         let of_file = |failure: Failure| if files.len() > 1 { failure.of(file) } else { failure };
         let (design, cams) = input::design_and_cams(file, language).map_err(of_file)?;
+        if rows.is_empty() {
+            rows.push(heads(["", "R_b"], &design));
+        }
         let figures = Figures::of(&design, &cams.first, &Analysis::of(&cams.first, 1));
         let name = if design.title.is_empty() { file.clone() } else { design.title.clone() };
         let radius = length(&design, Some(design.base_radius), language);
@@ -46,7 +49,7 @@ pub fn laws(file: &str, rank: Rank, language: Language) -> Result<String, Failur
     let design = input::design(file, language)?;
     let mut contenders = tournament(&design).map_err(|error| Failure::design(&error, file, language))?;
     contenders.sort_by(|one, other| order(rank, one, other));
-    let mut rows = vec![heads(["", "Rb ≥"])];
+    let mut rows = vec![heads(["", "R_b ≥"], &design)];
     rows.extend(contenders.iter().map(|contender| {
         let name = contender.law.map_or("·", |law| levalab_words::law(language, law)).to_owned();
         let radius = length(&design, contender.smallest_base_radius, language);
@@ -71,9 +74,18 @@ fn order(rank: Rank, one: &Contender, other: &Contender) -> Ordering {
     one.0.cmp(&other.0).then(one.1.total_cmp(&other.1))
 }
 
-fn heads(first: [&str; 2]) -> Vec<String> {
+/// In the symbols of the first design.
+fn heads(first: [&str; 2], design: &Design) -> Vec<String> {
+    let signs = Signs::of(design.notation);
     let rest = ["s max", "|v|", "|a|", "|j|", "|V|", "|A|", "|J|", "φ min", "φ max", "ρ min", "face", "verdict"];
-    first.into_iter().chain(rest).map(str::to_owned).collect()
+    let head = |ours: &str| match ours.split_once(' ') {
+        Some((symbol, more)) => format!("{} {more}", signs.plain(symbol)),
+        None => match ours.strip_prefix('|').and_then(|ours| ours.strip_suffix('|')) {
+            Some(symbol) => format!("|{}|", signs.plain(symbol)),
+            None => signs.plain(ours),
+        },
+    };
+    first.into_iter().chain(rest).map(head).collect()
 }
 
 fn line(first: [String; 2], design: &Design, figures: &Figures, language: Language) -> Vec<String> {

@@ -3,16 +3,31 @@
 use crate::failure::Failure;
 use levalab_core::Cam;
 use levalab_format::limits::{MAX_FILE_BYTES, MAX_LINK_OPENED};
-use levalab_format::{Design, link};
+use levalab_format::{Design, Notation, link};
 use levalab_words::Language;
 use std::fs::File;
 use std::io::{self, Read};
+use std::sync::OnceLock;
 
 /// The name that stands for standard input.
 const STANDARD_INPUT: &str = "-";
 
 /// Longest address before the `#` of a link that is read from standard input, bytes.
 const LONGEST_ADDRESS: usize = 8192;
+
+/// The symbols that the command line asks for, whatever a design says.
+static NOTATION: OnceLock<Option<Notation>> = OnceLock::new();
+
+/// Tells every design that is read from now on in these symbols.
+pub fn tell_in(notation: Option<Notation>) {
+    // Asked once, before anything is read.
+    let _ = NOTATION.set(notation);
+}
+
+fn told(design: Design) -> Design {
+    let notation = NOTATION.get().copied().flatten().unwrap_or(design.notation);
+    Design { notation, ..design }
+}
 
 /// The design of a design file.
 pub fn design(name: &str, language: Language) -> Result<Design, Failure> {
@@ -29,7 +44,7 @@ pub struct Cams {
 pub fn design_and_cams(name: &str, language: Language) -> Result<(Design, Cams), Failure> {
     // One byte more than the most, so that a file that is too large is seen to be.
     let bytes = read(name, MAX_FILE_BYTES + 1, language)?;
-    let design = Design::from_bytes(&bytes);
+    let design = Design::from_bytes(&bytes).map(told);
     let cams = |design: Design| {
         let first = design.cam()?;
         let second = design.second(&first)?;
@@ -47,7 +62,7 @@ pub fn design_of_link(text: &str, language: Language) -> Result<Design, Failure>
         text.to_owned()
     };
     let refused = |error| Failure::data("link", levalab_words::link_error(language, &error));
-    link::decode(link::within(&text)).map_err(refused)
+    link::decode(link::within(&text)).map(told).map_err(refused)
 }
 
 fn read(name: &str, most: usize, language: Language) -> Result<Vec<u8>, Failure> {

@@ -16,7 +16,7 @@ mod solve;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use failure::Failure;
-use levalab_format::link;
+use levalab_format::{Notation, link};
 use levalab_words::Language;
 use std::process::ExitCode;
 
@@ -29,6 +29,9 @@ struct Cli {
     /// Language of sentences.
     #[arg(long, global = true, value_enum, default_value_t = Tongue::En)]
     lang: Tongue,
+    /// Symbols to write in; those that the design says when left out.
+    #[arg(long, global = true, value_parser = notation)]
+    notation: Option<Notation>,
 }
 
 const EXIT_CODES: &str = "FILE is a design file (.lev.json), or - for standard input.\n\
@@ -112,7 +115,12 @@ fn main() -> ExitCode {
         Tongue::En => Language::En,
         Tongue::Es => Language::Es,
     };
+    input::tell_in(cli.notation);
     run(cli.command, language).unwrap_or_else(|failure| failure.report())
+}
+
+fn notation(word: &str) -> Result<Notation, String> {
+    Notation::of_word(word).ok_or_else(|| format!("one of {}", Notation::WORDS.join(", ")))
 }
 
 fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {

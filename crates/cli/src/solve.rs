@@ -51,7 +51,8 @@ pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
         return Err(Failure::usage(format!("--theta: {said}")));
     }
     let segment = options.segment.map(|k| k - 1);
-    let request = Request { language, theta: options.theta, segment, symbols: Symbols::default() };
+    let symbols = Symbols::of(&worked.design);
+    let request = Request { language, theta: options.theta, segment, symbols };
     let document = solve(&worked, &request);
     Ok(match options.to {
         Writer::Markdown => markdown(&document, language),

@@ -7,6 +7,7 @@ use crate::svg::{escaped, short, through};
 use crate::words::Word;
 use crate::{Refusal, Shaft, Step, Subject};
 use levalab_core::Point;
+use levalab_words::Signs;
 use std::fmt::Write;
 
 /// What the drawing is for.
@@ -343,7 +344,8 @@ fn name(subject: &Subject, curve: &Curve) -> String {
     };
     let radius = match curve.shape {
         Shape::Circle(radius) => {
-            let symbol = if curve.role == Role::Prime { "Rp" } else { "Rb" };
+            let symbol = if curve.role == Role::Prime { "R_p" } else { "R_b" };
+            let symbol = Signs::of(subject.design.notation).plain(symbol);
             format!(", {symbol} = {} {}", language.number(radius), subject.design.length_unit.symbol())
         }
         Shape::Closed(_) | Shape::Open(_) => String::new(),

@@ -5,7 +5,7 @@ use crate::words::Word;
 use crate::{Refusal, Subject};
 use levalab_chart::{Diagram, Quantity, Style, Timing, colour, svg};
 use levalab_core::Analysis;
-use levalab_words::Language;
+use levalab_words::{Language, Signs};
 use std::fmt::Write;
 
 /// What is drawn.
@@ -152,5 +152,5 @@ fn naming(subject: &Subject, quantity: Quantity, per_second: bool) -> (&'static 
         Quantity::Rho | Quantity::Contact => subject.design.length_unit.symbol().to_owned(),
         _ => subject.unit(order, per_second),
     };
-    (letters[usize::from(per_second)], word.said(subject.language), unit)
+    (Signs::of(subject.design.notation).symbol(letters[usize::from(per_second)]), word.said(subject.language), unit)
 }

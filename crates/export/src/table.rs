@@ -4,6 +4,7 @@ use crate::Subject;
 use crate::words::Word;
 use levalab_core::{Analysis, Column, Point};
 use levalab_format::report;
+use levalab_words::Signs;
 
 /// A table of a cam: a sheet of the workbook, or a file of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -173,7 +174,12 @@ impl Measure {
             Self::OuterAngle => Word::OuterAngle,
             Self::OuterRadius => Word::OuterRadius,
         };
-        let symbol = if self == Self::Theta && subject.travels() { "x" } else { self.symbol() };
+        let ours = if self == Self::Theta && subject.travels() { "x" } else { self.symbol() };
+        // Coordinates and angles of the profile are no magnitudes of a notation.
+        let symbol = match self {
+            Self::X | Self::PitchX | Self::OuterX | Self::Y | Self::PitchY | Self::OuterY => ours.to_owned(),
+            _ => Signs::of(subject.design.notation).plain(ours),
+        };
         format!("{} {symbol} ({})", word.said(subject.language), self.unit(subject))
     }
 
@@ -190,7 +196,7 @@ impl Measure {
             Self::TimedJ => "J",
             Self::PressureAngle => "φ",
             Self::Rho => "ρ",
-            Self::RhoPitch => "ρp",
+            Self::RhoPitch => "ρ_p",
             Self::Contact => "q",
             Self::X | Self::PitchX | Self::OuterX => "x",
             Self::Y | Self::PitchY | Self::OuterY => "y",

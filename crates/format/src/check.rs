@@ -36,11 +36,19 @@ impl Design {
             Some(_) => Follower::on_travel(self.follower, values),
             None => Follower::new(self.follower, self.base_radius, values, self.rotation),
         };
-        let follower = follower.map_err(|error| geometry_error(self.follower.parameters, error))?;
+        let follower = follower.map_err(|error| self.shown(geometry_error(self.follower.parameters, error)))?;
         let cam = Cam::new(program, follower).closed_by(self.kind.closure());
         self.second(&cam)?;
         self.check_application()?;
         Ok(cam)
+    }
+
+    /// A refusal with its eccentricity in the sign of the notation.
+    fn shown(&self, mut error: DesignError) -> DesignError {
+        if let Problem::Eccentricity { found, .. } = &mut error.problem {
+            *found = *found * self.eccentricity_sign() + 0.0;
+        }
+        error
     }
 
     /// The motion program: ready-made, or joined from the segments.

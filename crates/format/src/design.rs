@@ -1,6 +1,6 @@
 //! A design: what a file or a link holds, in the units that people use.
 
-use crate::{ApplicationDesign, CamKind, Conjugate, LengthUnit, SpeedUnit};
+use crate::{ApplicationDesign, CamKind, Conjugate, LengthUnit, Notation, SpeedUnit};
 use levalab_core::law::{Data, MAX_LAW_PARAMETERS};
 use levalab_core::{FollowerKind, FollowerValues, Law, Motion, Parameter, Quantity, Rotation};
 
@@ -32,6 +32,8 @@ pub struct Design {
     pub conjugate: Option<Conjugate>,
     /// What the follower drives.
     pub application: Option<ApplicationDesign>,
+    /// Whose symbols it is told in.
+    pub notation: Notation,
 }
 
 /// The speed of a cam in the unit it was given in.
@@ -85,6 +87,7 @@ impl PartialEq for Design {
             && self.segments == other.segments
             && self.conjugate == other.conjugate
             && self.application == other.application
+            && self.notation == other.notation
     }
 }
 

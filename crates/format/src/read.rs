@@ -6,8 +6,8 @@ use crate::design::{default_of, motion_and_contact};
 use crate::limits::MAX_SEGMENTS;
 use crate::write::{FORMAT, ROTATIONS};
 use crate::{
-    BreadthGenerator, CamKind, Conjugate, Design, DesignError, Kind, LengthUnit, Path, Problem, SegmentDesign, Speed,
-    SpeedUnit, json,
+    BreadthGenerator, CamKind, Conjugate, Design, DesignError, Kind, LengthUnit, Notation, Path, Problem,
+    SegmentDesign, Speed, SpeedUnit, json,
 };
 use levalab_core::law::MAX_LAW_PARAMETERS;
 use levalab_core::{
@@ -54,8 +54,8 @@ impl Design {
 }
 
 /// The fields of a design; the last of them has no place beside a ready-made motion.
-const FIELDS: [&str; 9] =
-    ["format", "title", "length_unit", "speed", "cam", "follower", "conjugate", "application", "segments"];
+const FIELDS: [&str; 10] =
+    ["format", "title", "length_unit", "speed", "cam", "follower", "conjugate", "application", "notation", "segments"];
 
 fn read(value: &Value) -> Result<Design, DesignError> {
     let file = Object::any(value, Path::default())?;
@@ -91,6 +91,10 @@ fn read(value: &Value) -> Result<Design, DesignError> {
         segments: if ready { Vec::new() } else { read_segments(&file)? },
         conjugate: None,
         application: None,
+        notation: match file.fields.contains_key("notation") {
+            true => Notation::ALL[file.word("notation", &Notation::WORDS)?],
+            false => Notation::default(),
+        },
     };
     if file.fields.contains_key("conjugate") {
         design.conjugate = Some(read_conjugate(&file.object("conjugate")?, &design)?);

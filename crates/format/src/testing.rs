@@ -4,8 +4,8 @@ use crate::data;
 use crate::design::default_of;
 use crate::limits::MAX_SEGMENTS;
 use crate::{
-    ApplicationDesign, BreadthGenerator, CamKind, Conjugate, Design, LengthUnit, SegmentDesign, Speed, SpeedUnit,
-    TargetsBy,
+    ApplicationDesign, BreadthGenerator, CamKind, Conjugate, Design, LengthUnit, Notation, SegmentDesign, Speed,
+    SpeedUnit, TargetsBy,
 };
 use levalab_core::application::{APPLICATIONS, MAX_APPLICATION_PARAMETERS};
 use levalab_core::law::{Condition, Data, DataKind, MAX_LAW_PARAMETERS, usual_knots};
@@ -120,6 +120,7 @@ fn candidate(random: &mut Random) -> Design {
         values,
         segments,
         conjugate: random.once_in(5).then(|| second(random, decimals, size, oscillating)),
+        notation: if random.once_in(3) { *random.pick(&Notation::ALL) } else { Notation::default() },
         application: (!oscillating && random.once_in(4)).then(|| application(random, decimals, kind)),
     }
 }

@@ -3,7 +3,7 @@
 use crate::application;
 use crate::data;
 use crate::design::motion_and_contact;
-use crate::{BreadthGenerator, CamKind, Conjugate, Design, SegmentDesign};
+use crate::{BreadthGenerator, CamKind, Conjugate, Design, Notation, SegmentDesign};
 use levalab_core::{Generator, Parameter, Rotation};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -56,6 +56,9 @@ impl Serialize for Design {
         }
         if let Some(application) = &self.application {
             file.serialize_entry("application", &Entries(application::entries(application)))?;
+        }
+        if self.notation != Notation::default() {
+            file.serialize_entry("notation", self.notation.word())?;
         }
         if self.kind.generator().is_none() {
             file.serialize_entry("segments", &segments)?;

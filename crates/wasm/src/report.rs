@@ -3,8 +3,8 @@
 use crate::lab::Current;
 use levalab_core::{Body, Cam, Column, Element, Segment, angle_between};
 use levalab_format::report::{Range, degrees, level_name, scale_of};
-use levalab_format::{Design, DesignCure, Edit, link};
-use levalab_words::Language;
+use levalab_format::{Design, DesignCure, Edit, Notation, link};
+use levalab_words::{Language, Signs};
 use serde::{Serialize, Serializer};
 
 /// The answer to a good design.
@@ -30,10 +30,21 @@ pub struct PageReport {
     pressure_angle_limit: f64,
     mechanism: Mechanism,
     units: Units,
+    /// Symbols other than ours.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    notation: Option<PageNotation>,
     /// The second cam of a pair.
     conjugate: Option<Box<PageReport>>,
     /// Angle between the arms of a pair that swings, degrees.
     pair_angle: Option<f64>,
+}
+
+/// The symbols of a notation by ours, and the sign with which it tells an eccentricity.
+#[derive(Serialize)]
+struct PageNotation {
+    #[serde(serialize_with = "as_map")]
+    symbols: Vec<(&'static str, &'static str)>,
+    eccentricity: f64,
 }
 
 #[derive(Serialize)]
@@ -172,6 +183,10 @@ impl PageReport {
             pressure_angle_limit: degrees(cam.follower.pressure_angle_limit()),
             mechanism: Mechanism::of(current),
             units: Units::of(current),
+            notation: (design.notation != Notation::default()).then(|| PageNotation {
+                symbols: Signs::of(design.notation).symbols.to_vec(),
+                eccentricity: design.eccentricity_sign(),
+            }),
             conjugate: None,
             pair_angle: None,
         }
@@ -237,7 +252,7 @@ impl Verdict {
     }
 }
 
-fn as_map<S: Serializer>(ranges: &[(&'static str, Range)], serializer: S) -> Result<S::Ok, S::Error> {
+fn as_map<T: Copy + Serialize, S: Serializer>(ranges: &[(&'static str, T)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(ranges.iter().copied())
 }
 

@@ -23,12 +23,14 @@ mod data_en;
 mod data_es;
 mod en;
 mod es;
+mod notation;
 mod numbers;
 mod pair;
 mod units;
 mod voice;
 
 pub use application::{application_head, application_name, application_title, outcome};
+pub use notation::{SIGNS, Signs};
 pub use numbers::notation;
 pub use pair::no_second;
 pub use voice::FileProblem;
@@ -146,13 +148,20 @@ pub fn headline(language: Language, report: &Report) -> String {
 /// What a finding is, where, how much, and the limit.
 #[must_use]
 pub fn finding(language: Language, design: &Design, finding: &DesignFinding) -> String {
-    language.voice().finding(finding, Units::of(design))
+    Signs::of(design.notation).say(&language.voice().finding(finding, Units::of(design)))
 }
 
 /// What would put a finding right.
 #[must_use]
 pub fn cure(language: Language, design: &Design, finding: &DesignFinding, remedy: &Remedy) -> String {
-    language.voice().cure(finding, remedy, Units::of(design))
+    let shown = match *remedy {
+        Remedy::Eccentricity { value, pressure_angle } => {
+            Some(Remedy::Eccentricity { value: value * design.eccentricity_sign() + 0.0, pressure_angle })
+        }
+        _ => None,
+    };
+    let said = language.voice().cure(finding, shown.as_ref().unwrap_or(remedy), Units::of(design));
+    Signs::of(design.notation).say(&said)
 }
 
 /// What is wrong with a design. The place is not told: it is in [`DesignError::path`].

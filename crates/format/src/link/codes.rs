@@ -1,6 +1,6 @@
 //! The letters that stand for laws, followers and units in a link. Once published, a letter is never given to another.
 
-use crate::{LengthUnit, SpeedUnit};
+use crate::{LengthUnit, Notation, SpeedUnit};
 use levalab_core::application::Application;
 use levalab_core::{FOLLOWERS, FollowerKind, LAWS, Law, Tie};
 
@@ -69,6 +69,22 @@ pub(super) fn of_application(application: &Application) -> &'static str {
 /// Empty for millimetres.
 pub(super) fn of_length_unit(unit: LengthUnit) -> &'static str {
     LENGTH_UNIT_CODES.iter().find(|entry| entry.0 == unit).map_or("", |entry| entry.1)
+}
+
+/// The letter of a notation; that of ours is never written.
+pub(super) fn of_notation(notation: Notation) -> char {
+    match notation {
+        Notation::LevaLab => 'l',
+        Notation::Norton => 'n',
+        Notation::Shigley => 's',
+        Notation::Rothbart => 'r',
+        Notation::CardonaClos => 'c',
+        Notation::Capitals => 'v',
+    }
+}
+
+pub(super) fn notation(letter: char) -> Option<Notation> {
+    Notation::ALL.into_iter().find(|&notation| of_notation(notation) == letter)
 }
 
 /// A second cam, by what ties it to the first.

@@ -24,7 +24,7 @@ pub use codes::{FOLLOWER_CODES, LAW_CODES};
 
 use crate::design::default_of;
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
-use crate::{BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Speed, SpeedUnit};
+use crate::{BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Speed, SpeedUnit};
 use crc::{CRC_32_ISO_HDLC, Crc};
 use levalab_core::{Generator, Parameter, Rotation};
 
@@ -161,7 +161,7 @@ fn write_value(text: &mut String, value: f64) {
     number::write(text, value.abs());
 }
 
-/// Unit, speed, rotation, kind of cam, second cam and application, each only when it is not the usual one.
+/// Unit, speed, rotation, kind of cam, second cam, application and notation, each only when it is not the usual one.
 fn write_options(text: &mut String, design: &Design) {
     if design.length_unit != LengthUnit::default() {
         text.push('u');
@@ -206,6 +206,10 @@ fn write_options(text: &mut String, design: &Design) {
     }
     if let Some(application) = &design.application {
         application::write(text, application);
+    }
+    if design.notation != Notation::default() {
+        text.push('n');
+        text.push(codes::of_notation(design.notation));
     }
 }
 

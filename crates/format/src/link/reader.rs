@@ -3,7 +3,8 @@
 use super::{LinkError, application, codes, data, defaults_of, title, usual_speed_unit};
 use crate::limits::MAX_SEGMENTS;
 use crate::{
-    BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed, SpeedUnit,
+    BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Problem, SegmentDesign, Speed,
+    SpeedUnit,
 };
 use levalab_core::{Generator, Rotation};
 
@@ -40,6 +41,7 @@ impl<'a> Fields<'a> {
         let speed = Speed { unit: speed.1.unwrap_or(usual), value: speed.0 };
         let conjugate = self.conjugate()?;
         let application = application::read(self)?;
+        let notation = if self.take('n') { codes::notation(self.next()?)? } else { Notation::default() };
         let mut segments = Vec::new();
         while !self.0.is_empty() && segments.len() <= MAX_SEGMENTS {
             segments.push(self.segment()?);
@@ -57,6 +59,7 @@ impl<'a> Fields<'a> {
             segments,
             conjugate,
             application,
+            notation,
         })
     }
 
