@@ -28,11 +28,11 @@ export function createNotationMenu({ store, t }) {
     return button;
   });
   const menu = createMenu("notation-menu", items);
-  document.body.append(menu.root);
 
   return {
     /** @param {HTMLElement} anchor */
     open(anchor) {
+      if (!menu.root.isConnected) anchor.after(menu.root);
       const current = store.state.design.notation ?? "levalab";
       items.forEach((button, index) => {
         const word = NOTATIONS[index] ?? "";

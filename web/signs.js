@@ -11,6 +11,8 @@ let spoken = "";
 /** Symbols of ours that stand in sentences; single letters there would be words. */
 const IN_SENTENCES = /(?<![\p{L}\d])(?:R[bfp]|[φρ]|s(?= m[aá]x))(?![\p{L}\d])/gu;
 
+const PRIMES = "′″‴";
+
 /** What stands for a symbol of ours, its index after "_". @param {string} ours */
 export const sign = (ours) => symbols[ours.replace(/^([Rρ])([a-z])$/u, "$1_$2")] ?? ours;
 
@@ -34,7 +36,7 @@ export function speakIn(notation) {
   const next = notation ? JSON.stringify(notation.symbols) : "";
   if (next === spoken) return false;
   spoken = next;
-  symbols = notation?.symbols ?? {};
+  symbols = Object.fromEntries(Object.entries(notation?.symbols ?? {}).map(([ours, theirs]) => [ours, theirs.replace(/'+$/, (primes) => PRIMES[primes.length - 1] ?? primes)]));
   for (const node of document.querySelectorAll("[data-sign]")) /** @type {HTMLElement} */ (node).dispatchEvent(new Event("sign"));
   return true;
 }

@@ -226,7 +226,8 @@ export class Scene {
     const drawn = path && !path.startsWith("conjugate") && dimension(path, this.report, at);
     if (!drawn) return;
     const key = path.slice(path.lastIndexOf(".") + 1);
-    const value = key === "base_radius" ? state.design.cam.base_radius : state.design.follower[key];
+    const kept = key === "base_radius" ? state.design.cam.base_radius : state.design.follower[key];
+    const value = typeof kept === "number" && key === "eccentricity" ? kept * (this.report.notation?.eccentricity ?? 1) + 0 : kept;
     const text = typeof value !== "number" ? "" : drawn.about ? format.angle(value) : format.quantity(value, { trim: true, unit: this.report.units.length });
     pen.screen();
     drawDimension(pen, drawn, text);

@@ -93,6 +93,27 @@ fn a_design_is_converted_and_comes_back_or_keeps_its_numbers() {
 }
 
 #[test]
+fn a_notation_changes_what_is_written_and_nothing_that_is_computed() {
+    let ours = analysis(&[&file_of("9RT"), "--samples", "36"]);
+    assert_eq!(analysis(&[&file_of("9RT"), "--samples", "36", "--notation", "rothbart"])["columns"], ours["columns"]);
+    let compared = text(&levalab(&["compare", &file_of("9RT"), "--notation", "rothbart"]).stdout);
+    assert!(["rb", "y max", "|y'|", "α min"].iter().all(|head| compared.contains(head)), "{compared}");
+    let solved = text(&levalab(&["solve", &file_of("9RT"), "--segment", "1", "--notation", "shigley"]).stdout);
+    assert!(
+        solved.contains("R_{0} = 35") && solved.contains(r"y' = \frac{y_") && !solved.contains("R_{b}"),
+        "{solved}"
+    );
+    let table = text(
+        &levalab(&["export", &file_of("9RT"), "--to", "csv", "--table", "motion", "-o", "-", "--notation", "capitals"])
+            .stdout,
+    );
+    assert!(table.contains("Displacement S (mm)") && table.contains("Acceleration S̈ (mm/s²)"));
+    let link = levalab(&["link", &file_of("9RT"), "--notation", "norton"]);
+    assert!(text(&with_input(&["open", "-"], &link.stdout).stdout).contains("\"notation\": \"norton\""));
+    check_refusal(&levalab(&["check", &file_of("9RT"), "--notation", "nobody"]), 64, "levalab: ");
+}
+
+#[test]
 fn any_design_survives_the_pipeline() {
     let mut random = Random::new(7);
     for _ in 0..10 {

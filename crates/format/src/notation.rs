@@ -51,3 +51,40 @@ impl Design {
         if self.notation == Notation::Norton { self.rotation.sigma() } else { 1.0 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{self, Random};
+    use levalab_core::Rotation;
+
+    #[test]
+    fn a_notation_is_kept_by_file_and_link_and_ours_is_not_written() {
+        for notation in Notation::ALL {
+            let design = Design { notation, ..crate::example("9RT").expect("9RT") };
+            assert_eq!(Design::from_json(&design.to_json()), Ok(design.clone()));
+            assert_eq!(design.to_json().contains("notation"), notation != Notation::LevaLab);
+            assert_eq!(crate::link::decode(&crate::link::encode(&design).expect("short")), Ok(design));
+            assert_eq!(Notation::of_word(notation.word()), Some(notation));
+        }
+    }
+
+    #[test]
+    fn an_eccentricity_that_is_shown_and_typed_again_is_the_same() {
+        let mut random = Random::new(9);
+        for _ in 0..200 {
+            let design = testing::design(&mut random);
+            for notation in Notation::ALL {
+                let told = Design { notation, ..design.clone() };
+                let sign = told.eccentricity_sign();
+                for value in design.values {
+                    assert_eq!(value * sign * sign, value);
+                }
+                let turned = notation == Notation::Norton && design.rotation == Rotation::Clockwise;
+                assert_eq!(sign < 0.0, turned);
+                // Nothing but what is shown depends on it.
+                assert_eq!(told.cam().expect("a cam").follower.values, design.cam().expect("a cam").follower.values);
+            }
+        }
+    }
+}

@@ -10,6 +10,7 @@ mod figure;
 mod followers;
 pub mod html;
 mod laws;
+mod notations;
 pub mod pages;
 mod study;
 mod terms;

@@ -5,7 +5,7 @@ use crate::words::concepts::{Concept, GEOMETRY, KINDS, MOTION};
 use crate::words::manual::SCREENS;
 use crate::words::terms::{GROUPS, Term};
 use crate::words::{Two, two};
-use crate::{followers, laws, terms};
+use crate::{followers, laws, notations, terms};
 use levalab_core::{FOLLOWERS, LAWS, Law};
 use levalab_words::Language;
 use std::collections::BTreeMap;
@@ -129,6 +129,9 @@ fn glossary(pen: Pen, assets: &Assets) -> Body {
         let entries: String = terms.into_iter().map(|term| terms::entry(pen, term, assets)).collect();
         html += &format!("<h2>{name}</h2>{entries}");
     }
+    let name = two("Notations", "Notaciones").within(pen.language);
+    places.push((String::new(), vec![("notations".to_owned(), name.to_owned())]));
+    html += &section(2, "notations", name, &notations::table(pen));
     Body { places, html }
 }
 

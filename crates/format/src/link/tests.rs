@@ -3,7 +3,7 @@
 use super::{LinkError, decode, encode, within};
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::testing::{self, Random};
-use crate::{Design, Problem, SegmentDesign, example};
+use crate::{Design, Notation, Problem, SegmentDesign, example};
 use levalab_core::Law;
 use proptest::prelude::*;
 
@@ -76,8 +76,12 @@ fn published_links_keep_opening() {
     }
 }
 
-/// An example, or a line of the designs that were published to hold what no example has.
+/// An example, or a line of the designs that were published to hold what no example has; after a `+`, told in another notation.
 fn published_design(name: &str) -> Design {
+    if let Some((name, notation)) = name.split_once('+') {
+        let notation = Notation::of_word(notation).expect(notation);
+        return Design { notation, ..published_design(name) };
+    }
     let designs: serde_json::Value =
         serde_json::from_str(include_str!("../../tests/published-designs.json")).expect("JSON");
     let own = designs.get(name).map(|design| Design::from_value(design).expect(name));
