@@ -105,8 +105,11 @@ fn candidate(random: &mut Random) -> Design {
             last.data = Data::None;
         }
     }
+    let title = title(random);
+    // Half of the designs are told in our own symbols.
+    let notation = Notation::ALL.get(title.chars().count() % 12).copied().unwrap_or_default();
     Design {
-        title: title(random),
+        title,
         length_unit: *random.pick(&LengthUnit::ALL),
         speed: speed(random, decimals, travels),
         kind,
@@ -120,7 +123,7 @@ fn candidate(random: &mut Random) -> Design {
         values,
         segments,
         conjugate: random.once_in(5).then(|| second(random, decimals, size, oscillating)),
-        notation: if random.once_in(3) { *random.pick(&Notation::ALL) } else { Notation::default() },
+        notation,
         application: (!oscillating && random.once_in(4)).then(|| application(random, decimals, kind)),
     }
 }
