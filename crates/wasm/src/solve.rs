@@ -42,7 +42,8 @@ pub fn solution_text(
 fn solved(design: &JsValue, language: Language, theta: Option<f64>, segment: Option<usize>) -> Option<Document> {
     let worked = Worked::of(Design::from_value(&plain::value(design)).ok()?).ok()?;
     let segment = segment.filter(|&k| k < worked.segments());
-    Some(solve(&worked, &Request { language, theta, segment, symbols: Symbols::default() }))
+    let symbols = Symbols::of(&worked.design);
+    Some(solve(&worked, &Request { language, theta, segment, symbols }))
 }
 
 fn node(node: &Node) -> JsValue {
