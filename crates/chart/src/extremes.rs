@@ -7,6 +7,7 @@ use crate::sketch::{At, Mark, Sketch};
 use crate::space::{Room, Space};
 use crate::style::Style;
 use crate::ticks::{Ticks, ten_to};
+use crate::trace::TARGET;
 use plotters::style::Color;
 use plotters::style::text_anchor::HPos;
 
@@ -30,6 +31,9 @@ pub(crate) fn draw(
 ) {
     let numerals = Numerals { decimal_comma: style.decimal_comma };
     let radius = frame.css(DOT * style.stroke);
+    for &target in &diagram.targets {
+        space.take_dot(frame.at(target), frame.css(TARGET * style.stroke));
+    }
     for &extreme in &diagram.extremes {
         space.take_dot(frame.at(extreme), radius);
     }

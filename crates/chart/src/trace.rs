@@ -77,7 +77,7 @@ pub(crate) fn marks(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style
 }
 
 /// Radius of a ring about a point to hit, in widths of the curve.
-const TARGET: f64 = 3.4;
+pub(crate) const TARGET: f64 = 3.4;
 
 /// Draws a ring about each point to hit: open, so that the curve is seen to pass through it or beside it.
 pub(crate) fn targets(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style: &Style) {
