@@ -1,6 +1,6 @@
 //! The worked solution of a design: what a professor writes on the blackboard to derive this very cam, from the conditions to the verdict.
 //!
-//! [`solve`] gives a [`Document`], a tree of headings, sentences, formulas and tables; [`markdown`], [`latex`] and [`html`] print it. Every
+//! [`solve`] gives a [`Document`], a tree of headings, sentences, formulas and tables; [`markdown()`], [`latex()`] and [`html()`] print it. Every
 //! number comes from the core (or is a number of the core in the unit of the design): the text puts it in its place and never computes it
 //! anew. Symbols are those of a [`Symbols`] table.
 //!
