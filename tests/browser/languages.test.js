@@ -50,6 +50,8 @@ async function everyText(page, say) {
   await look();
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: say("header.help"), exact: true }).click();
+  // It is loaded when it is first asked for: Escape before that would close nothing.
+  await page.locator("dialog[open]").waitFor();
   await look();
   await page.keyboard.press("Escape");
   await field(page, "base_radius").fill("-1");
