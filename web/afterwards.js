@@ -22,7 +22,8 @@ const SETTLED = 4000;
  * @param {Engine} engine
  */
 export async function begin(context, engine) {
-  await Promise.all([context.whole(), learn("en"), learn("es")]);
+  // Without the rest, should the network fail just now, the others still work.
+  await Promise.allSettled([context.whole(), learn("en"), learn("es")]);
   keepRecent(context, (design) => engine.check(design));
   acceptDrops(context, opener(context, engine));
   if (recall("tour") === null) void import("./help/offer.js").then(({ offerTour }) => offerTour(context));
