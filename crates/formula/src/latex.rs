@@ -159,11 +159,27 @@ fn operator(sign: char) -> &'static str {
 
 fn symbol(name: &str) -> String {
     let (letter, index, primes) = letter_of(name);
-    let mut text = greek(letter).map_or_else(|| letter.to_owned(), |name| format!("\\{name}"));
+    let mut text = match dotted(letter) {
+        Some((letter, dots)) => format!("\\{dots}{{{letter}}}"),
+        None => greek(letter).map_or_else(|| letter.to_owned(), |name| format!("\\{name}")),
+    };
     if !index.is_empty() {
         text += &if is_variable(index) { format!("_{{{index}}}") } else { format!("_{{{}}}", words(index)) };
     }
     text + &"'".repeat(primes)
+}
+
+/// A letter under one, two or three dots, as some books write derivatives by time, and the command for the dots.
+fn dotted(letter: &str) -> Option<(&str, &'static str)> {
+    match letter {
+        "ẏ" => return Some(("y", "dot")),
+        "ÿ" => return Some(("y", "ddot")),
+        "ḋ" => return Some(("d", "dot")),
+        "ṡ" => return Some(("s", "dot")),
+        _ => {}
+    }
+    let marks = [('\u{307}', "dot"), ('\u{308}', "ddot"), ('\u{20db}', "dddot")];
+    marks.into_iter().find_map(|(mark, dots)| Some((letter.strip_suffix(mark)?, dots)))
 }
 
 /// The command of a letter that has one.
@@ -267,6 +283,13 @@ mod tests {
         }
         assert_eq!(written("sin(x) = 0.5", Language::Es), "\\operatorname{sen} x = 0{,}5");
         assert_eq!(written("min(a)", Language::Es), "\\operatorname{m\\acute{\\imath}n} a");
+    }
+
+    #[test]
+    fn dots_are_commands() {
+        for (name, expected) in [("ẏ", "\\dot{y}"), ("d̈", "\\ddot{d}"), ("y⃛", "\\dddot{y}")] {
+            assert_eq!(latex(&Formula::Symbol(name.into()), Language::En), expected);
+        }
     }
 
     #[test]

@@ -11,8 +11,8 @@ pub fn write(board: &mut Board, only: Option<usize>) {
     board.heading(1, two("Continuity at the joints", "Continuidad en las uniones"), &[]);
     board.say(
         two(
-            "The limits from both sides of each joint; one value where they agree, $a ≠ b$ where it jumps from $a$ to $b$. A joint where $s$ or $v$ jumps breaks the fundamental law; $a$ must not jump in an acceptable cam, nor $j$ at high speed.",
-            "Los límites por ambos lados de cada unión; un solo valor donde coinciden, $a ≠ b$ donde salta de $a$ a $b$. Un salto de $s$ o de $v$ incumple la ley fundamental; $a$ no debe saltar en una leva aceptable, ni $j$ a altas velocidades.",
+            "The limits from both sides of each joint; one value where they agree, two with ≠ between them where it jumps from the first to the second. A joint where $s$ or $v$ jumps breaks the fundamental law; $a$ must not jump in an acceptable cam, nor $j$ at high speed.",
+            "Los límites por ambos lados de cada unión; un solo valor donde coinciden, dos con ≠ entre ellos donde salta del primero al segundo. Un salto de $s$ o de $v$ incumple la ley fundamental; $a$ no debe saltar en una leva aceptable, ni $j$ a altas velocidades.",
         ),
         &[],
     );
