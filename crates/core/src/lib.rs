@@ -41,6 +41,7 @@ mod finding;
 mod follower;
 mod form;
 mod interference;
+mod join;
 pub mod law;
 pub mod nearest;
 mod parameter;
@@ -70,6 +71,7 @@ pub use follower::{
     MAX_FOLLOWER_PARAMETERS, Motion, Point, Rotation,
 };
 pub use form::Form;
+pub use join::{Choice, Demand, JoinError, JoinProblem, Joining, Reason, Taste, Tried, Way, join};
 pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
 pub use program::{CLOSING_TOLERANCE, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, TURN_TOLERANCE};
