@@ -65,7 +65,8 @@ pub fn design_of_link(text: &str, language: Language) -> Result<Design, Failure>
     link::decode(link::within(&text)).map(told).map_err(refused)
 }
 
-fn read(name: &str, most: usize, language: Language) -> Result<Vec<u8>, Failure> {
+/// The bytes of a file or of standard input, no more than so many.
+pub fn read(name: &str, most: usize, language: Language) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     let limit = most as u64;
     let read = if name == STANDARD_INPUT {

@@ -4,6 +4,7 @@
 //! codes of [`Failure`].
 
 mod analyze;
+mod auto;
 mod check;
 mod compare;
 mod convert;
@@ -76,6 +77,8 @@ enum Command {
     Export(export::Options),
     /// Writes the design file of the same cam in another unit.
     Convert(convert::Options),
+    /// Writes the design file that does what a machine must do: dwells, lines and points, joined by the smoothest laws.
+    Auto(auto::Options),
     /// Writes the share link of a design, the part after `#`.
     Link {
         /// Design file.
@@ -135,6 +138,7 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
         Command::Compare { files } => compare::designs(&files, language)?,
         Command::Tournament { file, by } => compare::laws(&file, by, language)?,
         Command::Solve(options) => solve::run(&options, language)?,
+        Command::Auto(options) => auto::run(&options, language)?,
         Command::Convert(options) => convert::run(&options, language)?,
         Command::Link { file } => {
             let design = input::design(&file, language)?;

@@ -1,7 +1,7 @@
 //! What is wrong with a design, as facts; the words are made in `levalab-words`.
 
 use crate::path::{Path, quoted};
-use levalab_core::ExpressionProblem;
+use levalab_core::{ExpressionProblem, JoinProblem};
 use std::fmt;
 
 /// Why a design cannot be opened: where, and what is wrong there.
@@ -153,6 +153,8 @@ pub enum Problem {
     },
     /// Data of a free law that make no curve.
     Data(DataRefusal),
+    /// Requirements that cannot be joined.
+    Join(JoinProblem),
     /// Two polynomials side by side that would take their end conditions from each other.
     AdjacentPolynomials {
         /// Index of the other segment.

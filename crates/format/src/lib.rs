@@ -21,6 +21,7 @@
 //! Not here: words for people, files on disk.
 
 mod application;
+mod auto;
 mod catalogue;
 mod check;
 mod compare;
@@ -47,6 +48,7 @@ mod units;
 mod write;
 
 pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy};
+pub use auto::{Joined, joined, joined_from_bytes};
 pub use catalogue::Catalogue;
 pub use compare::{Contender, Figures, by_law, tournament};
 pub use cure::{DesignCure, Edit, Remedy, apply, cures};

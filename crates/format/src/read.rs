@@ -41,6 +41,11 @@ impl Design {
         Self::open(value).map(|(design, _)| design)
     }
 
+    /// A design as it stands in an object, its program not looked at.
+    pub(crate) fn read_around(value: &Value) -> Result<Self, DesignError> {
+        read(value)
+    }
+
     /// Reads a design and gives its cam along with it, since checking the one makes the other.
     ///
     /// # Errors

@@ -285,6 +285,7 @@ impl Voice for English {
                 format!("A dwell cannot rise, and this one rises {}.", measured(*found, *measure, EN))
             }
             Problem::Data(refusal) => data_en::refusal(refusal),
+            Problem::Join(problem) => crate::join::problem(EN, *problem),
             Problem::AdjacentPolynomials { next } => {
                 format!(
                     "It takes its end conditions from its neighbours, and so does segment {}: they cannot be side by side.",

@@ -286,6 +286,7 @@ impl Voice for Spanish {
                 format!("Un detenimiento no puede subir, y este sube {}.", measured(*found, *measure, ES))
             }
             Problem::Data(refusal) => data_es::refusal(refusal),
+            Problem::Join(problem) => crate::join::problem(ES, *problem),
             Problem::AdjacentPolynomials { next } => {
                 format!(
                     "Toma de sus vecinos las condiciones en los extremos, y el tramo {} también: no pueden ir seguidos.",

@@ -23,6 +23,7 @@ mod data_en;
 mod data_es;
 mod en;
 mod es;
+mod join;
 mod notation;
 mod numbers;
 mod pair;
@@ -34,6 +35,8 @@ pub use notation::{SIGNS, Signs};
 pub use numbers::notation;
 pub use pair::no_second;
 pub use voice::FileProblem;
+
+pub use join::choice as join_choice;
 
 use levalab_core::{FollowerKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};
