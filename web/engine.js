@@ -30,6 +30,7 @@ const RESTART_WINDOW = 10_000;
  * @property {(design: unknown) => Float64Array} data_marks
  * @property {(design: unknown, language: Language, theta?: number, segment?: number) => SolutionNode[] | undefined} solution
  * @property {(design: unknown, language: Language, theta: number | undefined, segment: number | undefined, to: "latex" | "markdown") => string} solution_text
+ * @property {(wanted: unknown, language: Language) => import("./auto.js").Answer} join_requirements
  */
 
 /**

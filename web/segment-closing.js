@@ -12,12 +12,13 @@ import { riseUnit, strideUnit } from "./segment-row.js";
  * @param {ShellContext} context
  * @param {Texts} texts
  * @param {HTMLButtonElement} add
+ * @param {HTMLButtonElement} auto
  */
-export function createClosing({ store, t, format }, texts, add) {
+export function createClosing({ store, t, format }, texts, add, auto) {
   const sum = h("span", { class: "sum" });
   const fixes = h("div", { class: "fixes" });
   const problem = h("p", { class: "error", hidden: true, id: "program-problem" });
-  const root = h("div", { class: "closing" }, h("div", { class: "closing-line" }, sum, add), problem, fixes);
+  const root = h("div", { class: "closing" }, h("div", { class: "closing-line" }, sum, h("span", {}, auto, add)), problem, fixes);
 
   /**
    * @param {string} key

@@ -42,7 +42,9 @@ export function createSegments(context, texts) {
   }
 
   const add = texts.text(h("button", { type: "button", class: "quiet" }), "segments.add");
-  const closing = createClosing(context, texts, add);
+  const auto = texts.text(h("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }), "segments.auto");
+  auto.addEventListener("click", async () => (await import("./auto.js")).openAuto(context));
+  const closing = createClosing(context, texts, add, auto);
   const menu = createSegmentMenu(t, act);
   const root = h(
     "fieldset",
@@ -174,6 +176,7 @@ export function createSegments(context, texts) {
     riseHead.textContent = riseUnit(design);
     betaHead.textContent = strideUnit(design);
     add.disabled = full();
+    auto.hidden = !["rotating", "grooved"].includes(design.cam.kind);
     closing.update();
   }
 

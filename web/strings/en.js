@@ -184,6 +184,7 @@ export const en = {
   "action.down": "Move down",
   "action.delete": "Delete",
   "segments.add": "Add segment",
+  "segments.auto": "Auto",
   "segments.closed": "{whole} and closed",
   "segments.complete": "{whole}, complete",
   "segments.left": "{angle} left of {whole}",

@@ -184,6 +184,7 @@ export const es = {
   "action.down": "Bajar",
   "action.delete": "Eliminar",
   "segments.add": "Añadir tramo",
+  "segments.auto": "Automático",
   "segments.closed": "{whole} y cerrado",
   "segments.complete": "{whole}, completo",
   "segments.left": "faltan {angle} para {whole}",

@@ -295,6 +295,10 @@ fn instant(anchors: &[Anchor], passes: &[Anchor]) -> Svaj {
         return Svaj::default();
     };
     let back = TAU - last.to;
+    // What ends on the base circle at the end of the turn rests there.
+    if back < MIN_BETA {
+        return Svaj::default();
+    }
     let span = back + next.from;
     let ends = [(0.0, last.end, last.side), (span, next.start, next.side)];
     let mut conditions = vec![condition(back, 0, 0.0), condition(back, 1, 0.0)];
@@ -322,12 +326,16 @@ fn joined(anchors: &[Anchor], passes: &[Anchor], bend: Svaj, taste: Taste) -> Re
         let jerk = if taste.high_speed { bend.j } else { 0.0 };
         let state = Svaj::new(0.0, 0.0, bend.a, jerk);
         (anchors[0].start, anchors[0].end) = (state, state);
+        // Without a bend it is a rest, if only for an instant.
+        if state == Svaj::default() {
+            anchors[0].side = Side::Rest;
+        }
     }
     let mut joining = Joining { segments: Vec::new(), choices: Vec::new() };
     for (k, &before) in anchors.iter().enumerate() {
         let round = k + 1 == anchors.len();
         let after = if round { Anchor { from: TAU, ..anchors[0] } } else { anchors[k + 1] };
-        if before.side != Side::Instant {
+        if before.side != Side::Instant && before.to > before.from {
             let law = if before.side == Side::Rest { "dwell" } else { "constant-velocity" };
             let law = Law::by_id(law).unwrap_or(LAWS[0]);
             let beta = before.to.min(TAU) - before.from;
@@ -658,6 +666,9 @@ mod tests {
                 assert!((program.at(f64::to_radians(at)).s - height).abs() < 1e-9, "at {at}");
             }
         }
+        // A dwell that ends with the turn is a rest at its beginning.
+        let joining = join(&[dwell(50.0, 90.0, 10.0), dwell(320.0, 360.0, 0.0)], LOW).expect("joined");
+        assert_eq!(laws(&joining)[0], "modified-trapezoidal");
         // Nothing but points: the turn begins on the base circle, and bends there.
         let joining = join(&[pass(90.0, 6.0), pass(180.0, 10.0), pass(270.0, 6.0)], LOW).expect("joined");
         let program = Program::new(&joining.segments).expect("a program");

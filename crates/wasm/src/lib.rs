@@ -5,6 +5,7 @@
 //! tables of a second one would be a fifth of this module.
 
 mod application;
+mod auto;
 mod compare;
 mod convert;
 mod diagrams;
