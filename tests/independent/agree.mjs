@@ -106,7 +106,8 @@ function segments(u, lift) {
     if ((MATCHED_LAWS.includes(law) && beside) || (law === "dwell" && last && height !== 0)) law = "cycloidal";
     const target = last ? 0 : law === "dwell" ? height : Math.round(lift * u() * 1000) / 1000;
     const own = parameters(u, law, beta);
-    if (law === "polynomial") list.push({ law, beta, conditions: conditions(u, beta, height, target) });
+    if (law === "bezier") list.push({ law, beta, ordinates: [height, ...Array.from({ length: Math.floor(6 * u()) }, () => 15 * u()), target] });
+    else if (law === "polynomial") list.push({ law, beta, conditions: conditions(u, beta, height, target) });
     else list.push({ law, beta, rise: target - height, ...own });
     [angle, height] = [angle + beta, target];
   }

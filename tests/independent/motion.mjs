@@ -166,10 +166,28 @@ function eliminate(rows) {
 }
 
 /**
+ * Bézier's curve and its derivatives, from the differences of its ordinates.
+ * @param {Segment} segment
+ * @returns {(x: number) => State}
+ */
+function bernstein({ beta, ordinates }) {
+  const radians = (beta * PI) / 180;
+  /** @param {number[]} points @param {number} x @returns {number} */
+  const at = (points, x) => (points.length === 1 ? points[0] : at(points.slice(1).map((next, i) => points[i] + x * (next - points[i])), x));
+  const orders = [/** @type {number[]} */ (ordinates)];
+  for (let order = 1; order < 4; order++) {
+    const before = orders[order - 1];
+    const degree = before.length - 1;
+    orders.push(degree > 0 ? before.slice(1).map((next, i) => degree * (next - before[i])) : [0]);
+  }
+  return (x) => /** @type {State} */ (orders.map((points, order) => at(points, x) / radians ** order));
+}
+
+/**
  * Laws that give s itself, above the base circle, and so say for themselves where they begin and end.
  * @type {Record<string, (segment: Segment) => (x: number) => State>}
  */
-const ABSOLUTE = { polynomial: throughConditions };
+const ABSOLUTE = { polynomial: throughConditions, bezier: bernstein };
 
 /** Laws that take their end conditions from their neighbours, with Hermite's closed forms of their coefficients. */
 const MATCHED = {

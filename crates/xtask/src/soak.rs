@@ -1,4 +1,4 @@
-//! Many random designs and damaged links through the design file and the link, in search of one that breaks them.
+//! Many random designs and damaged links through the design file and the link, and random texts as formulas, in search of one that breaks them.
 
 use anyhow::Result;
 
@@ -7,7 +7,7 @@ use crate::process::{self, run_told};
 /// How many.
 #[derive(clap::Args)]
 pub struct Options {
-    /// Random designs and damaged links to try, of each.
+    /// Random designs, damaged links and formulas to try, of each.
     #[arg(long, default_value_t = SHORT)]
     count: u64,
 }
@@ -23,8 +23,14 @@ impl Default for Options {
 
 /// Runs the soak test, optimised, with the count asked for.
 pub fn run(options: &Options) -> Result<()> {
-    let arguments = ["test", "--release", "--package", "levalab-format", "--test", "soak", "--", "--nocapture"];
-    let mut command = process::cargo(arguments);
-    command.env("LEVALAB_SOAK", options.count.to_string());
-    run_told(&format!("trying {} designs and damaged links", options.count), &mut command)
+    let count = options.count;
+    let designs = ["--package", "levalab-format", "--test", "soak", "--", "--nocapture"];
+    let formulas =
+        ["--package", "levalab-core", "--lib", "--", "any_text_is_an_expression_or_a_refusal", "--nocapture"];
+    for (what, arguments) in [("designs and damaged links", designs), ("formulas", formulas)] {
+        let mut command = process::cargo(["test", "--release"].into_iter().chain(arguments));
+        command.env("LEVALAB_SOAK", count.to_string());
+        run_told(&format!("trying {count} {what}"), &mut command)?;
+    }
+    Ok(())
 }
