@@ -39,7 +39,7 @@ pub(super) fn smoothed(z: &[f64], measured: &[f64], ends: Ends, tolerance: f64) 
         let states = relaxed(z, measured, ends, weight);
         let squares = states.iter().zip(measured).map(|(state, height)| (state[0] - height).powi(2));
         let residual = (squares.sum::<f64>() / inner).sqrt();
-        (states, (residual / tolerance).max(f64::MIN_POSITIVE).ln())
+        (states, (residual / tolerance).clamp(f64::MIN_POSITIVE, f64::MAX).ln())
     };
     let [mut low, mut high] = WEIGHTS.map(f64::ln);
     let (smoothest, mut over) = with(WEIGHTS[0]);
@@ -47,8 +47,10 @@ pub(super) fn smoothed(z: &[f64], measured: &[f64], ends: Ends, tolerance: f64) 
     if over > 0.0 {
         let (closest, mut under) = with(WEIGHTS[1]);
         states = closest;
-        // The residual falls as the weight grows: regula falsi in logarithms, with Illinois's remedy for an end that stays.
-        for _ in 0..MOST_STEPS {
+        // What is asked for may lie below the rounding that even the closest curve leaves. Else the residual falls as the weight grows:
+        // regula falsi in logarithms, with Illinois's remedy for an end that stays.
+        let steps = if under < 0.0 { MOST_STEPS } else { 0 };
+        for _ in 0..steps {
             let weight = (low * under - high * over) / (under - over);
             let (next, excess) = with(weight.exp());
             states = next;

@@ -375,6 +375,20 @@ mod tests {
     }
 
     #[test]
+    fn a_smoothing_below_all_rounding_goes_through_the_points() {
+        for (least, alone) in [(5e-324, false), (1e-300, true), (1e-18, false)] {
+            let mut points = noisy(9, 0.02);
+            points[8][1] = if alone { points[0][1] } else { points[8][1] };
+            let pieces = smoothed_by(&points, least, !alone, alone);
+            let worst = residuals(&pieces, &points)
+                .into_iter()
+                .map(f64::abs)
+                .fold(0.0, |worst, r| if r > worst || r.is_nan() { r } else { worst });
+            assert!(worst < 1e-9 * 25.0, "{least:e} leaves {worst:e}");
+        }
+    }
+
+    #[test]
     fn a_smoothing_below_nothing_is_refused() {
         for bad in [-0.1, f64::NAN, f64::INFINITY] {
             let (data, parameters) = (Data::Points(noisy(9, 0.0)), [bad, 0.0, 0.0]);
