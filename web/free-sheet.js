@@ -6,7 +6,7 @@ import { addStrings } from "./strings/index.js";
 const SHEET = `
 .parameters:has(.conditions) { padding-inline-start: 1.5rem; }
 .conditions { flex: 1 0 100%; padding-block-end: var(--space-1); font-size: var(--size-small); }
-.conditions .row { display: grid; grid-template-columns: 3.1rem repeat(4, minmax(0, 1fr)) 1.2rem 1.2rem; align-items: center; column-gap: 2px; }
+.conditions .row { display: grid; grid-template-columns: 3.8rem repeat(4, minmax(0, 1fr)) 1.2rem 1.2rem; align-items: center; column-gap: 2px; }
 .conditions .head { color: var(--muted); text-align: end; }
 .conditions .head span { padding-inline-end: var(--space-1); }
 .conditions .row input.number { padding-inline: 3px; }

@@ -12,8 +12,9 @@ import { inSight, letterOf, seesSecond, unitOfPlace } from "./stage/place.js";
 import { era, plain } from "./signs.js";
 
 const SIGNIFICANT = 5;
-/** Numbers with a zero behind the point and derivatives by length: a figure less leaves room for their zeros. */
+/** Numbers with a zero behind the point, parts of a second and derivatives by length: a figure less leaves room for their zeros. */
 const SMALL = 0.1;
+const SMALL_TIME = 1;
 const SIGNIFICANT_SMALL = 4;
 const ANGLE_DIGITS = 2;
 const MOST_DIGITS = 9;
@@ -141,5 +142,6 @@ export function mount(root, context) {
 function digitsOf(reading, report, perSecond) {
   const size = reading.size(report, perSecond);
   if (!(size > 0) || reading.unit(report, perSecond) === "°") return ANGLE_DIGITS;
-  return Math.min(Math.max((report.travels || size < SMALL ? SIGNIFICANT_SMALL : SIGNIFICANT) - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
+  const small = reading.name === "t" ? SMALL_TIME : SMALL;
+  return Math.min(Math.max((report.travels || size < small ? SIGNIFICANT_SMALL : SIGNIFICANT) - 1 - Math.floor(Math.log10(size)), 0), MOST_DIGITS);
 }
