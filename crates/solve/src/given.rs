@@ -101,5 +101,5 @@ fn speed(board: &mut Board) {
         ]
     });
     let rows = rows.collect();
-    board.table(two("Motion program", "Programa de movimientos"), heads.into(), rows);
+    board.table(two("Motion program", "Programa de movimiento"), heads.into(), rows);
 }
