@@ -261,3 +261,12 @@ fn a_balanced_tie_makes_both_base_circles_alike_and_the_angle_of_a_pair_is_measu
         assert_eq!(balanced_tie(&first, Tie::BaseRadius(0.0)), Some(Tie::BaseRadius(60.0)), "{id}");
     }
 }
+
+#[test]
+fn a_swing_of_half_a_turn_leaves_no_room_for_a_second_arm() {
+    let wide = [("cycloidal", 90.0, 170.0), ("cycloidal", 90.0, 30.0), ("cycloidal", 180.0, -200.0)];
+    let roller = [("roller_radius", 10.0), ("arm", 80.0), ("pivot_distance", 80.0)];
+    let cam = Cam::new(degrees(&wide), follower("oscillating-roller", 40.0, &roller, Rotation::CounterClockwise));
+    assert!(conjugate(&cam, Tie::BaseRadius(40.0), None).is_err());
+    assert_eq!(balanced_tie(&cam, Tie::BaseRadius(40.0)), None);
+}

@@ -4,7 +4,7 @@ mod support;
 
 use levalab_core::{
     Analysis, Cam, Closure, Column, Cure, Cycle, FindingKind, Follower, FollowerKind, GeometryProblem, Level, Point,
-    Program, Rotation, Segment, prescribe, resized,
+    Program, Rotation, Segment, Svaj, prescribe, resized,
 };
 use support::{follower, lengths};
 
@@ -62,6 +62,29 @@ fn the_pressure_angle_of_a_wedge_is_its_slope_and_rho_that_of_a_graph() {
     }
     let ends = (column(Column::Theta)[500], column(Column::S)[500], column(Column::X)[500], column(Column::Y)[500]);
     assert!((ends.0 - 100.0).abs() + (ends.1 - 13.0).abs() + (ends.2 - 100.0).abs() + (ends.3 - 13.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_profile_is_straight_where_its_curvature_is_nothing_but_rounding() {
+    let wedge = wedge(&ROWS, 6.0);
+    let bend = wedge.at(42.5).1.bend;
+    assert_eq!((bend, 1.0 / bend), (0.0, f64::INFINITY), "halfway up a rise that is its own reverse");
+    let rho = Analysis::of(&wedge, 40).column(Column::Rho).expect("rho")[17];
+    assert_eq!(rho, f64::INFINITY, "and so in the table");
+    let beside = 1.0 / wedge.at(42.5 + 1e-6).1.bend;
+    assert!(beside.abs() > 1e6 && beside.is_finite(), "just beside it is not: {beside}");
+    // A turning cam with a straight side: r = d/cos θ.
+    let turning = Cam::new(lengths(&[("cycloidal", 180.0, 9.0), ("cycloidal", 180.0, -9.0)]), knife(30.0));
+    for k in -50..=50 {
+        let (sin, cos) = (0.01 * f64::from(k)).sin_cos();
+        let d = 33.3;
+        let motion = Svaj::new(d / cos - 30.0, d * sin / (cos * cos), d * (1.0 + sin * sin) / cos.powi(3), 0.0);
+        assert_eq!(turning.contact(motion).bend, 0.0, "{k}: the side is straight");
+    }
+}
+
+fn knife(base_radius: f64) -> Follower {
+    follower("translating-knife", base_radius, &[], Rotation::CounterClockwise)
 }
 
 #[test]

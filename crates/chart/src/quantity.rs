@@ -82,7 +82,7 @@ impl Quantity {
             Self::A => motion.a,
             Self::J => motion.j,
             Self::PressureAngle => cam.follower.contact(motion).pressure_angle,
-            Self::Rho => cam.follower.profile_radius(cam.follower.contact(motion).bend),
+            Self::Rho => cam.follower.profile_radius(cam.contact(motion).bend),
             Self::Contact => cam.follower.contact(motion).reach,
         }
     }

@@ -3,6 +3,10 @@
 use crate::{CamError, Contact, Drive, Follower, Point, Program, Svaj};
 use std::f64::consts::PI;
 
+/// A curvature that bends the profile by less than this part of a turn over the cam's size is rounding of the acceleration: there
+/// the profile is straight. That of a swift stretch comes to some 10⁻¹³.
+const STRAIGHT: f64 = 1e-11;
+
 /// A cam that can be analysed. What it holds has been checked; everything computed from it is total.
 #[derive(Clone, Debug)]
 pub struct Cam {
@@ -43,7 +47,16 @@ impl Cam {
     #[must_use]
     pub fn at(&self, theta: f64) -> (Svaj, Contact) {
         let motion = self.program.at(theta);
-        (motion, self.follower.contact(motion))
+        (motion, self.contact(motion))
+    }
+
+    /// The contact when the follower's motion is `motion`, the pitch curve of a disc straight where its curvature is rounding.
+    #[must_use]
+    #[inline]
+    pub fn contact(&self, motion: Svaj) -> Contact {
+        let contact = self.follower.contact(motion);
+        let straight = !self.follower.is_flat() && (contact.bend * self.size()).abs() < STRAIGHT;
+        if straight { Contact { bend: 0.0, ..contact } } else { contact }
     }
 
     /// The same cam with another program.
@@ -91,6 +104,7 @@ impl Cam {
 
     /// A length to compare other lengths with: the base radius, or what a cam that travels is long.
     #[must_use]
+    #[inline]
     pub(crate) fn size(&self) -> f64 {
         match self.follower.drive {
             Drive::Turns => self.follower.base_radius,

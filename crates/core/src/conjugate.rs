@@ -212,7 +212,7 @@ pub fn balanced_tie(cam: &Cam, kind: Tie) -> Option<Tie> {
         (Body::Swing { .. }, _, Tie::BaseRadius(_)) => follower.base_radius,
         (Body::Swing { pivot }, element, _) => {
             let opening = across.opening_for(pivot, element, follower.base_radius);
-            across.first_opening(pivot, element) + across.top + opening
+            follower.opening()? + across.top + opening
         }
     };
     (value > min && value < max).then(|| kind.with(value))
@@ -251,7 +251,7 @@ impl Across<'_> {
                 Some((centre.im + self.top + clear, f64::INFINITY))
             }
             (Body::Swing { pivot }, element, Tie::Angle(_)) => {
-                let first = self.first_opening(pivot, element) + self.top;
+                let first = self.cam.follower.opening()? + self.top;
                 let (least, most) = self.openings(pivot, element);
                 Some((first + least, first + most))
             }
@@ -277,7 +277,7 @@ impl Across<'_> {
                 Some((lowest.norm() - self.radius, Element::Disc { centre, radius: self.radius }))
             }
             (Body::Swing { pivot }, element, Tie::Angle(_) | Tie::BaseRadius(_)) => {
-                let first = self.first_opening(pivot, element);
+                let first = self.cam.follower.opening()?;
                 let opening = match tie {
                     Tie::BaseRadius(radius) => self.opening_for(pivot, element, radius),
                     _ => tie.value() - first - self.top,
@@ -304,16 +304,8 @@ impl Across<'_> {
         }
     }
 
-    /// ξ₀ of the first, with its sign.
-    fn first_opening(&self, pivot: Point, element: Element) -> f64 {
-        let arm = match element {
-            Element::Disc { centre, .. } => centre - pivot,
-            Element::Face { normal, .. } => normal * Point::i(),
-        };
-        -(arm / -pivot).arg()
-    }
-
-    /// Least and greatest ξ₂ (when the follower is at the top): the second cam has a size, and the arm stays on its side.
+    /// Least and greatest ξ₂ (when the follower is at the top): the second cam has a size, and the arm stays on its side, where a swing of
+    /// half a turn leaves no room.
     fn openings(&self, pivot: Point, element: Element) -> (f64, f64) {
         let distance = pivot.norm();
         match element {
@@ -321,11 +313,12 @@ impl Across<'_> {
                 let arm = (centre - pivot).norm();
                 let cosine = (distance * distance + arm * arm - self.radius * self.radius) / (2.0 * distance * arm);
                 let clear = if (distance - arm).abs() >= self.radius { 0.0 } else { cosine.clamp(-1.0, 1.0).acos() };
-                (clear, PI - self.top)
+                (clear, (PI - self.top).max(clear))
             }
             Element::Face { normal, point } => {
                 let offset = along(point - pivot, normal);
-                ((-offset / distance).clamp(-1.0, 1.0).asin(), FRAC_PI_2 - self.top)
+                let least = (-offset / distance).clamp(-1.0, 1.0).asin();
+                (least, (FRAC_PI_2 - self.top).max(least))
             }
         }
     }

@@ -55,7 +55,7 @@ impl Quantity {
         let motion = stretch.at(theta);
         match self {
             Self::S | Self::V | Self::A | Self::J => self.of(&motion, &NOWHERE),
-            _ => self.of(&motion, &cam.follower.contact(motion)),
+            _ => self.of(&motion, &cam.contact(motion)),
         }
     }
 }
@@ -181,7 +181,7 @@ impl Samples {
         let after = if stretch.to >= span { n } else { ((stretch.to - snap) / step).ceil() as usize };
         let look = |theta: f64| {
             let motion = stretch.at(theta);
-            (motion, cam.follower.contact(motion))
+            (motion, cam.contact(motion))
         };
         // A dwell is looked at once.
         let still = stretch.is_still().then(|| look(stretch.from));

@@ -76,8 +76,9 @@ impl<'a> Board<'a> {
         }));
     }
 
-    /// An equation from its sides.
-    pub fn equate(&mut self, left: Formula, sides: Vec<(char, Formula)>) {
+    /// An equation from its sides; what putting numbers in leaves as it was is not said twice.
+    pub fn equate(&mut self, left: Formula, mut sides: Vec<(char, Formula)>) {
+        sides.dedup_by(|(sign, side), before| *sign == '=' && *side == before.1);
         self.blocks.push(Block::Formula(equation(left, sides)));
     }
 

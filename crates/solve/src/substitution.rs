@@ -23,6 +23,9 @@ impl Place {
     }
 }
 
+/// How far from the extreme of a smooth curve, as a part of the cycle, a search by values may end.
+const HALF_THE_DIGITS: f64 = 1e-7;
+
 /// The place that is asked for, or where |v| is greatest: in the cycle, or in the only segment that is asked for.
 pub fn place(board: &Board, request: &Request) -> Place {
     let program = &board.cam().program;
@@ -34,7 +37,7 @@ pub fn place(board: &Board, request: &Request) -> Place {
     }
     let Some(k) = request.segment.filter(|&k| k < program.given().len()) else {
         let chosen = two("There $|v|$ is greatest in the cycle.", "Allí $|v|$ es máxima en el ciclo.");
-        return Place { theta: board.subject.analysis.summary.v.greatest_size().1, chosen: Some(chosen) };
+        return Place { theta: fastest(board), chosen: Some(chosen) };
     };
     let part = Part::of(board, k);
     let mut best = (part.from, 0.0);
@@ -50,6 +53,15 @@ pub fn place(board: &Board, request: &Request) -> Place {
         theta: best.0,
         chosen: Some(two("There $|v|$ is greatest in the segment.", "Allí $|v|$ es máxima en el tramo.")),
     }
+}
+
+/// Where |v| is greatest in the cycle. The core's search by values knows the place to half the digits; the zero of *a* beside it has them all.
+fn fastest(board: &Board) -> f64 {
+    let (program, near) = (&board.cam().program, board.subject.analysis.summary.v.greatest_size().1);
+    let stretch = &program.stretches()[program.stretch_index(near)];
+    let off = |theta: f64| (theta - near).abs();
+    let zero = stretch.zeros(2).into_iter().min_by(|&a, &b| off(a).total_cmp(&off(b)));
+    zero.filter(|&theta| off(theta) < HALF_THE_DIGITS * program.span()).unwrap_or(near)
 }
 
 pub fn write(board: &mut Board, place: &Place) {
@@ -137,11 +149,8 @@ pub fn contact_at(board: &mut Board, theta: f64) {
         }
         let symbolic = formula(&rule.right);
         let put_in = substituted(&symbolic, &known);
-        let mut sides = vec![('=', symbolic.clone())];
+        let mut sides = vec![('=', symbolic), ('=', put_in)];
         let shown = told(board, rule.value, rule.measure);
-        if put_in != symbolic {
-            sides.push(('=', put_in));
-        }
         if shown != rule.right && rule.right != "0" {
             sides.push(('=', formula(&shown)));
         }

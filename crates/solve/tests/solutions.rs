@@ -95,6 +95,13 @@ fn r2_r3_and_r5_give_the_figures_that_the_books_misprint() {
     );
 }
 
+#[test]
+fn a_wedge_is_straight_where_it_is_steepest() {
+    let text = solution("WEDGE", &request(Language::En));
+    holds("WEDGE", &text, &["a = 0", "= \\infty", "The profile is straight there."]);
+    assert!(!text.contains("10^{1"), "rounding is printed as a number");
+}
+
 /// Every writer writes it, balanced, and nothing is left in it that the reader should not see.
 fn written(name: &str, document: &Document, language: Language) {
     let markdown = markdown(document, language);

@@ -259,17 +259,18 @@ impl Follower {
         matches!(self.element, Element::Face { .. })
     }
 
-    /// ξ₀, radians: the angle at the pivot between the line of centres and the arm (or the flat face) at s = 0; none for a follower
-    /// that translates.
+    /// ξ₀, radians: the angle at the pivot between the line of centres and the arm (or the flat face) at s = 0, negative where a face lies
+    /// beyond that line; none for a follower that translates. Of a second element it is the angle while the first rests, at its own
+    /// greatest *s*.
     #[must_use]
     pub fn opening(&self) -> Option<f64> {
         let Body::Swing { pivot } = self.body else { return None };
         let along = match self.element {
             Element::Disc { centre, .. } => centre - pivot,
-            // The face points away from the pivot a quarter turn ahead of its normal.
-            Element::Face { normal, .. } => normal * Point::i(),
+            // The face points away from the pivot a quarter turn ahead of its normal, which is upside down across the shaft.
+            Element::Face { normal, .. } => normal * Point::i() * self.advance(),
         };
-        Some((along / -pivot).arg().abs())
+        Some(-self.advance() * (along / -pivot).arg())
     }
 
     /// The pressure angle that good practice allows, radians: 30° translating, 35° oscillating.
@@ -341,5 +342,7 @@ mod tests {
         assert!((opening("oscillating-roller", 40.0, [10.0, 80.0, 80.0, 0.0]) - 36.42).abs() < 0.005);
         // sin ξ₀ = (Rb − f)/m, wherever the pivot is.
         assert!((opening("oscillating-flat", 50.0, [10.0, 80.0, 1.2, 0.0]) - 30.0).abs() < 1e-12);
+        // A face that passes the cam's centre lies beyond the line of centres.
+        assert!((opening("oscillating-flat", 10.0, [50.0, 80.0, 1.2, 0.0]) + 30.0).abs() < 1e-12);
     }
 }
