@@ -553,6 +553,8 @@ fn motion(leg: &Leg, x: f64) -> Svaj {
 fn figures(legs: &[Leg]) -> ([f64; 3], f64) {
     /// Looks at a piece; the peak is that of the parabola through the greatest and its neighbours.
     const LOOKS: usize = 64;
+    /// Looks ever nearer to an end, each half as far from it: what comes to rest on the base circle may dip below it between two even looks.
+    const NEARER: i32 = 12;
     let mut peaks = [0.0_f64; 3];
     let mut lowest = f64::INFINITY;
     for leg in legs {
@@ -563,7 +565,17 @@ fn figures(legs: &[Leg]) -> ([f64; 3], f64) {
                 piece.at(x).stretched(leg.segment.beta)
             };
             let looks: Vec<Svaj> = (0..=LOOKS).map(at).collect();
-            lowest = looks.iter().map(|motion| motion.s).fold(lowest, f64::min);
+            let height = |x: f64| piece.at(from + (piece.until - from) * x).s;
+            let beside =
+                (1..=NEARER).map(|k| 0.5_f64.powi(k) / LOOKS as f64).flat_map(|x| [height(x), height(1.0 - x)]);
+            lowest = looks.iter().map(|motion| motion.s).chain(beside).fold(lowest, f64::min);
+            for three in looks.windows(3) {
+                let (left, here, right) = (three[0].s, three[1].s, three[2].s);
+                let bend = left - 2.0 * here + right;
+                if here <= left && here <= right && bend > 0.0 {
+                    lowest = lowest.min(here - (right - left).powi(2) / (8.0 * bend));
+                }
+            }
             for (order, peak) in (1..).zip(&mut peaks) {
                 let size = |i: usize| looks[i].order(order).abs();
                 let best = (0..=LOOKS).max_by(|&i, &k| size(i).total_cmp(&size(k))).unwrap_or(0);
@@ -716,6 +728,20 @@ mod tests {
             }
             demands
         })
+    }
+
+    #[test]
+    fn what_comes_to_rest_on_the_base_circle_does_not_dip_below_it_just_before() {
+        let pass = |at: f64, height: f64| Demand::Pass { at, height, velocity: None };
+        let demands = [
+            Demand::Dwell { from: 0.910_976, to: 1.533_935, height: 3.241_599 },
+            pass(2.400_118, 9.009_884),
+            pass(3.653_503, 5.501_535),
+            Demand::Dwell { from: 4.835_977, to: 5.409_378, height: 0.0 },
+        ];
+        let program = Program::new(&join(&demands, LOW).expect("joined").segments).expect("a program");
+        let lowest = (0..200_000).map(|i| program.at(TAU * f64::from(i) / 200_000.0).s).fold(f64::INFINITY, f64::min);
+        assert!(lowest > -1e-9, "down to {lowest}");
     }
 
     proptest! {
