@@ -45,7 +45,7 @@ const SHEET = `
   body:has(> .on-paper) > :not(.on-paper) { display: none !important; }
   .on-paper { display: block; color: #000000; font: 10pt/1.45 var(--font); }
   .on-paper h1 { margin: 0 0 0.5em; font-size: 16pt; }
-  .on-paper :is(h3, h4, p:has(+ :is(.formula, .short))) { break-after: avoid; }
+  .on-paper :is(h3, h4, :is(h3, h4) + p, p:has(+ :is(.formula, .cells)), caption, thead, tr:nth-child(-n + 2), tr:nth-last-child(2)) { break-after: avoid; }
   .on-paper :is(caption, th) { color: #404040; }
   .on-paper :is(th, td) { border-color: #c0c0c0; padding-block: 0.1em; }
   .on-paper :is(.formula, .short, tr, li) { break-inside: avoid; }

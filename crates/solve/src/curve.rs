@@ -23,12 +23,16 @@ pub fn derivative(form: &Form, order: usize, letter: &str) -> Option<Formula> {
     let highest =
         waves.iter().map(|wave| (wave.amplitude * wave.frequency.powi(order as i32)).abs()).fold(0.0, f64::max);
     let powers: Vec<f64> = differentiated(&powers, order).into_iter().map(|c| number::settled(c, highest)).collect();
-    for (k, text) in number::coefficients(&powers).iter().enumerate() {
+    let (amplitudes, factors): (Vec<f64>, Vec<Formula>) = waves.iter().map(|wave| waved(wave, order, &letter)).unzip();
+    let all = number::coefficients(&[powers.as_slice(), &amplitudes].concat());
+    let (of_powers, of_waves) = all.split_at(powers.len());
+    for (k, text) in of_powers.iter().enumerate() {
         terms.add(text, power(&letter, k));
     }
-    for wave in waves {
-        let (amplitude, factor) = waved(wave, order, &letter);
-        terms.add(&amplitude, Some(factor));
+    // Beside a polynomial amplitudes have its decimals; alone, those of a result.
+    let alone = of_powers.iter().all(|text| text == "0");
+    for ((text, amplitude), factor) in of_waves.iter().zip(amplitudes).zip(factors) {
+        terms.add(&if alone { number::result(amplitude) } else { text.clone() }, Some(factor));
     }
     Some(terms.sum())
 }
@@ -39,8 +43,8 @@ fn differentiated(powers: &[f64], order: usize) -> Vec<f64> {
     powers.iter().enumerate().skip(order).map(|(k, c)| c * falling(k)).collect()
 }
 
-/// A derivative of a wave: its amplitude as it is written, and its sine or cosine.
-fn waved(wave: &Wave, order: usize, letter: &Formula) -> (String, Formula) {
+/// A derivative of a wave: its amplitude, and its sine or cosine.
+fn waved(wave: &Wave, order: usize, letter: &Formula) -> (f64, Formula) {
     let whole = (wave.phase / FRAC_PI_2).round();
     let near = (wave.phase - whole * FRAC_PI_2).abs() < PHASE;
     let (quarters, phase) = if near { (whole as i64, 0.0) } else { (0, wave.phase) };
@@ -51,7 +55,7 @@ fn waved(wave: &Wave, order: usize, letter: &Formula) -> (String, Formula) {
     let mut angle = formula(&angle);
     replace(&mut angle, letter);
     let name = if quarters % 2 == 0 { "sin" } else { "cos" };
-    (number::result(amplitude), Formula::Call(name, Box::new(angle)))
+    (amplitude, Formula::Call(name, Box::new(angle)))
 }
 
 /// The letter of the curve in the place of x.

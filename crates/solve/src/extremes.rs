@@ -137,6 +137,8 @@ pub fn write(board: &mut Board) {
             return;
         }
         let scale = range.max.abs().max(range.min.abs());
+        // An angle has a scale of its own, which its rounding is nothing beside.
+        let scale = if symbol == "φ" { scale.max(90.0) } else { scale };
         let value = |value: f64| {
             let settled = if scale.is_finite() { number::settled(value, scale) } else { value };
             if value.is_finite() { cell(&(written(settled * factor) + unit)) } else { line("–") }

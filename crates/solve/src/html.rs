@@ -32,10 +32,10 @@ math{font-family:\"STIX Two Math\",\"Cambria Math\",\"Latin Modern Math\",\"Libe
 .cells{overflow-x:auto}table{border-collapse:collapse;margin:.75rem 0}caption{text-align:left;font-style:italic}\
 th,td{padding:.15rem .6rem;text-align:left;border-bottom:1px solid #9996;white-space:nowrap}\
 mtable.lines>mtr>mtd:first-child{text-align:right;padding-right:0}mtable.lines>mtr>mtd+mtd{text-align:left;padding-left:.2em}\
-@page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4,p:has(+.formula),p:has(+.short){break-after:avoid}.wide{font-size:80%}.formula,.short,tr{break-inside:avoid}}";
+@page{size:A4;margin:18mm}@media print{body{font-size:10.5pt;margin:0;padding:0;max-width:none}h2,h3,h4,:is(h3,h4)+p,p:has(+:is(.formula,.cells)),caption,thead,tr:nth-child(-n+2),tr:nth-last-child(2){break-after:avoid}.wide{font-size:80%}.formula,.short,tr,li{break-inside:avoid}}";
 
-/// Rows of a table that need not be parted between two pages.
-const SHORT: usize = 8;
+/// Rows of a table, a third of a page, that need not be parted between two.
+const SHORT: usize = 16;
 
 fn of_block(block: &Block, language: Language) -> Node {
     match block {

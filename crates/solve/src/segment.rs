@@ -9,7 +9,7 @@ use crate::{expression, extremes, system};
 use levalab_core::law::{Arguments, Data, Shape};
 use levalab_core::{Form, MAX_COEFFICIENTS, Segment, Stretch};
 use levalab_formula::Formula;
-use levalab_formula::curve::{ORDERS, written};
+use levalab_formula::curve::{ORDERS, Written, written};
 
 /// Pieces of a segment that are written out one by one; more of them go into a table of coefficients.
 const WRITTEN_OUT: usize = 5;
@@ -59,7 +59,8 @@ impl<'a> Part<'a> {
     }
 }
 
-pub fn write(board: &mut Board, k: usize) {
+/// Writes segment `k`; `alone` when no other is written.
+pub fn write(board: &mut Board, k: usize, alone: bool) {
     let part = Part::of(board, k);
     let (from, to) = (board.place(part.from), board.place(part.to));
     let law = levalab_words::law(board.language, part.segment.law);
@@ -77,7 +78,7 @@ pub fn write(board: &mut Board, k: usize) {
     variable(board, "x", part.from, part.beta());
     match part.segment.law.shape {
         Shape::Rest => {}
-        Shape::Unit(_) => unit(board, &part),
+        Shape::Unit(_) => unit(board, &part, if alone { 0 } else { k }),
         Shape::Matched(orders) => {
             system::between_neighbours(board, &part, orders);
             formulas(board, &part);
@@ -100,10 +101,15 @@ fn variable(board: &mut Board, letter: &str, from: f64, beta: f64) {
     board.show(&format!("{letter} = ({above})/({own}), {of} = {own}{radians}"));
 }
 
-/// A law that books write, scaled to β and L; one that they do not is given by its numbers.
-fn unit(board: &mut Board, part: &Part) {
+/// A law as books write it; none for one whose numbers are not those of books.
+fn as_written(&Segment { law, parameters, beta, rise, .. }: &Segment) -> Option<Written> {
+    matches!(law.shape, Shape::Unit(_)).then_some(())?;
+    written(&law.unit(Arguments { parameters, falling: rise < 0.0, beta }).ok()?)
+}
+
+/// A law that books write, scaled to β and L; one that they do not is given by its numbers. The first `before` segments are written already.
+fn unit(board: &mut Board, part: &Part, before: usize) {
     let Segment { law, parameters, beta, rise, .. } = *part.segment;
-    let pieces = law.unit(Arguments { parameters, falling: rise < 0.0, beta }).unwrap_or_default();
     for (parameter, value) in law.parameters.iter().zip(parameters) {
         let symbol = match parameter.symbol {
             "β1" => "β_1",
@@ -116,7 +122,7 @@ fn unit(board: &mut Board, part: &Part) {
             _ => board.show(&format!("{symbol} = {}", number::datum(value))),
         }
     }
-    let Some(known) = written(&pieces) else {
+    let Some(known) = as_written(part.segment) else {
         board.say(
             two(
                 "The law with its numbers, each piece scaled by $L$ and $β$ and begun where the one before it ends:",
@@ -126,23 +132,17 @@ fn unit(board: &mut Board, part: &Part) {
         );
         return formulas(board, part);
     };
-    board.say(
-        two(
-            "The law between $y(0) = 0$ and $y(1) = 1$, with its derivatives with respect to $x$:",
-            "La ley entre $y(0) = 0$ e $y(1) = 1$, con sus derivadas respecto a $x$:",
+    let earlier = &board.cam().program.segments()[..before];
+    let same = earlier.iter().position(|other| other.law.id == law.id && as_written(other).as_ref() == Some(&known));
+    match same {
+        Some(other) => board.say(
+            two(
+                "The law $y(x)$ and its derivatives are those of segment {n}.",
+                "La ley $y(x)$ y sus derivadas son las del tramo {n}.",
+            ),
+            &[("n", &(other + 1).to_string())],
         ),
-        &[],
-    );
-    if let Some(factor) = &known.factor {
-        board.show(&format!("C_a = {factor}"));
-    }
-    for piece in &known.pieces {
-        if known.pieces.len() > 1 {
-            board.say(two("For $ {span}$:", "Para $ {span}$:"), &[("span", &piece.span)]);
-        }
-        for (left, right) in ORDERS.iter().zip(&piece.orders) {
-            board.show(&format!("{left} = {right}"));
-        }
+        None => law_between(board, &known),
     }
     let (start, lift) = (part.start, rise);
     board.say(
@@ -164,6 +164,28 @@ fn unit(board: &mut Board, part: &Part) {
         let factor = number::result(lift * board.scale() / beta.powi(order as i32));
         let left = crate::board::LETTERS[order];
         board.show(&format!("{left} = (L)/(β{raised}) y{primes} = {factor} y{primes}"));
+    }
+}
+
+/// y(x) of a law and its derivatives.
+fn law_between(board: &mut Board, known: &Written) {
+    board.say(
+        two(
+            "The law between $y(0) = 0$ and $y(1) = 1$, with its derivatives with respect to $x$:",
+            "La ley entre $y(0) = 0$ e $y(1) = 1$, con sus derivadas respecto a $x$:",
+        ),
+        &[],
+    );
+    if let Some(factor) = &known.factor {
+        board.show(&format!("C_a = {factor}"));
+    }
+    for piece in &known.pieces {
+        if known.pieces.len() > 1 {
+            board.say(two("For $ {span}$:", "Para $ {span}$:"), &[("span", &piece.span)]);
+        }
+        for (left, right) in ORDERS.iter().zip(&piece.orders) {
+            board.show(&format!("{left} = {right}"));
+        }
     }
 }
 

@@ -121,13 +121,20 @@ fn curvature(board: &mut Board, symbol: &str) {
     let cam = board.cam();
     let summary = &board.subject.analysis.summary;
     let flat = cam.follower.is_flat();
+    let condition = match cam.follower.disc_radius() {
+        0.0 if flat => "ρ > 0",
+        0.0 => "ρ_p > 0",
+        _ => "ρ = ρ_p - R_f > 0",
+    };
+    let sound = summary.least_convex.is_none_or(|(value, _)| value > 0.0);
+    let needed = smallest_for(cam, SizeLimit::Curvature);
     if flat && !board.swings() && cam.follower.value("face_angle") == Some(0.0) {
         let (least, at) = (summary.rho.min, summary.rho.min_at);
         let sum = number::result(least - cam.follower.base_radius);
         board.say(
             two(
-                "From the radius of curvature: $ρ = R_b + s + a$ is least at $θ = {at}$, so, for no cusp,",
-                "Por el radio de curvatura: $ρ = R_b + s + a$ es mínimo en $θ = {at}$, así que, para que no haya cúspide,",
+                "From the radius of curvature: $ρ = R_b + s + a$ is least at $θ = {at}$,",
+                "Por el radio de curvatura: $ρ = R_b + s + a$ es mínimo en $θ = {at}$,",
             ),
             &[("at", &board.solved_place(at))],
         );
@@ -136,30 +143,39 @@ fn curvature(board: &mut Board, symbol: &str) {
             "ρ_(min) = R_b + min(s + a) = {}{length}, min(s + a) = {sum}{length}",
             number::result(least)
         ));
+        match needed {
+            Some(_) => board.say(two("so that there is no cusp when", "así que no hay cúspide cuando"), &[]),
+            None if sound => {
+                board.say(
+                    two(
+                        "so that there is no cusp, whatever the size.",
+                        "así que no hay cúspide, sea cual sea el tamaño.",
+                    ),
+                    &[],
+                );
+            }
+            None => {
+                board.say(two("so that every size has a cusp.", "así que con cualquier tamaño hay cúspide."), &[]);
+            }
+        }
     } else {
-        board.say(
-            two(
+        let lead = match needed {
+            Some(_) => two(
                 "From the radius of curvature: the profile has neither cusp nor undercut when",
                 "Por el radio de curvatura: el perfil no tiene cúspide ni rebaje cuando",
             ),
-            &[],
-        );
+            None if sound => two(
+                "From the radius of curvature: the profile has neither cusp nor undercut when ${condition}$, which holds whatever the size.",
+                "Por el radio de curvatura: el perfil no tiene cúspide ni rebaje cuando ${condition}$, lo que se cumple con cualquier tamaño.",
+            ),
+            None => two(
+                "From the radius of curvature: the profile has neither cusp nor undercut when ${condition}$, which no size brings about.",
+                "Por el radio de curvatura: el perfil no tiene cúspide ni rebaje cuando ${condition}$, lo que ningún tamaño consigue.",
+            ),
+        };
+        board.say(lead, &[("condition", condition)]);
     }
-    let condition = match cam.follower.disc_radius() {
-        0.0 if flat => "ρ > 0",
-        0.0 => "ρ_p > 0",
-        _ => "ρ = ρ_p - R_f > 0",
-    };
-    let sound = summary.least_convex.is_none_or(|(value, _)| value > 0.0);
-    match smallest_for(cam, SizeLimit::Curvature) {
-        Some(size) => board.show(&format!("{condition} ⇒ {symbol} > {}{}", number::result(size), board.length())),
-        None if sound => {
-            board.show(condition);
-            board.say(two("which holds whatever the size.", "lo que se cumple con cualquier tamaño."), &[]);
-        }
-        None => {
-            board.show(condition);
-            board.say(two("which no size brings about.", "lo que ningún tamaño consigue."), &[]);
-        }
+    if let Some(size) = needed {
+        board.show(&format!("{condition} ⇒ {symbol} > {}{}", number::result(size), board.length()));
     }
 }

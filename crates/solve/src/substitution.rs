@@ -175,7 +175,8 @@ fn straight(board: &mut Board, rules: &Rules) {
 fn written(value: f64, measure: Measure) -> String {
     match measure {
         Measure::Angle => format!("{}°", number::angle(value.to_degrees())),
-        _ => number::height(value),
+        Measure::Length => number::height(value),
+        Measure::Number => number::height(number::settled(value, 1.0)),
     }
 }
 
@@ -184,6 +185,6 @@ fn told(board: &Board, value: f64, measure: Measure) -> String {
         Measure::Angle => number::angle(value.to_degrees()) + "{°}",
         Measure::Length if value.is_infinite() => number::result(value),
         Measure::Length => number::result(value) + &board.length(),
-        Measure::Number => number::result(value),
+        Measure::Number => number::result(number::settled(value, 1.0)),
     }
 }

@@ -54,8 +54,10 @@ fn demands(board: &mut Board) {
     }
     let limit = board.cam().follower.pressure_angle_limit();
     let (angle, at) = analysis.summary.pressure_angle.greatest_size();
-    let place = board.solved_place(at);
-    let found = format!("${}{{°}}$ ($θ = {place}$)", number::angle(angle.to_degrees()));
+    let range = analysis.summary.pressure_angle;
+    let level = range.max - range.min <= number::NEGLIGIBLE;
+    let place = if level { String::new() } else { format!(" ($θ = {}$)", board.solved_place(at)) };
+    let found = format!("${}{{°}}${place}", number::angle(angle.to_degrees()));
     let broken = |kinds: fn(&FindingKind) -> bool| analysis.findings.iter().any(|found| kinds(&found.kind));
     let steep = broken(|kind| *kind == FindingKind::PressureAngle);
     rows.push(vec![line(&format!("$|φ| ≤ {}{{°}}$", number::angle(limit.to_degrees()))), line(&found), yes(!steep)]);

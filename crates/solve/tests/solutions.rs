@@ -102,6 +102,21 @@ fn a_wedge_is_straight_where_it_is_steepest() {
     assert!(!text.contains("10^{1"), "rounding is printed as a number");
 }
 
+#[test]
+fn a_law_is_derived_once_and_rounding_is_no_number() {
+    let text = solution("12PO", &request(Language::En));
+    assert_eq!(text.matches("For $\\frac{1}{8} \\le x").count(), 1, "the trapezoids of six segments are one law");
+    holds("12PO", &text, &["are those of segment 1.", "= 0 \\Rightarrow \\varphi = 0^\\circ", "| $0^\\circ$ | kept |"]);
+    assert!(!text.contains("10^{-"), "rounding is printed as a number");
+    let third = solution("12PO", &Request { segment: Some(2), ..request(Language::En) });
+    assert!(
+        third.contains("For $\\frac{1}{8} \\le x") && !third.contains("those of segment"),
+        "alone it is written out"
+    );
+    let arcs = solution("ARCS", &request(Language::En));
+    holds("ARCS", &arcs, &["s = 39.88499 - 39.88499 \\cos"]);
+}
+
 /// Every writer writes it, balanced, and nothing is left in it that the reader should not see.
 fn written(name: &str, document: &Document, language: Language) {
     let markdown = markdown(document, language);
