@@ -3,6 +3,7 @@
 //! The rule: every law that keeps *v* and *a* continuous (and *j*, for high speeds) and stays on or above the base circle is tried in each gap, and
 //! the one with the lowest peak of the derivative asked for is taken. What was tried is told along with the choice.
 
+use crate::extreme::root;
 use crate::law::{Arguments, Condition, Data, Given, Group, LAWS, Law, Piece, matched_polynomial};
 use crate::program::MIN_BETA;
 use crate::{CLOSING_TOLERANCE, MAX_SEGMENTS, Program, Segment, Svaj};
@@ -165,6 +166,8 @@ struct Anchor {
     start: Svaj,
     end: Svaj,
     side: Side,
+    /// False for a point, even where the follower rests for an instant.
+    lasts: bool,
 }
 
 /// A segment with its curve over x ∈ [0, 1], in absolute heights.
@@ -207,7 +210,7 @@ fn sorted(demands: &[Demand]) -> Result<(Vec<Anchor>, Vec<Anchor>), JoinError> {
     let mut all: Vec<Anchor> = demands.iter().enumerate().map(|(k, demand)| placed(k, demand)).collect();
     let scale = all.iter().map(|anchor| anchor.start.s.max(anchor.end.s)).fold(0.0, f64::max);
     for anchor in &all {
-        let Anchor { demand, from, to, start, end, side } = *anchor;
+        let Anchor { demand, from, to, start, end, side, .. } = *anchor;
         let finite = [from, to, start.s, end.s, start.v].iter().all(|value| value.is_finite());
         let wide = side == Side::Instant || to - from >= MIN_BETA;
         if !finite || !wide || from < 0.0 || to > TAU + MIN_BETA {
@@ -262,18 +265,26 @@ fn placed(demand: usize, what: &Demand) -> Anchor {
     let at = |s: f64, v: f64| Svaj::new(s, v, 0.0, 0.0);
     match *what {
         Demand::Dwell { from, to, height } => {
-            Anchor { demand, from, to, start: at(height, 0.0), end: at(height, 0.0), side: Side::Rest }
+            Anchor { demand, from, to, start: at(height, 0.0), end: at(height, 0.0), side: Side::Rest, lasts: true }
         }
         Demand::Straight { from, to, start, end } => {
             let slope = (end - start) / (to - from);
             let side = if start == end { Side::Rest } else { Side::Line };
-            Anchor { demand, from, to, start: at(start, slope), end: at(end, slope), side }
+            Anchor { demand, from, to, start: at(start, slope), end: at(end, slope), side, lasts: true }
         }
         // Where no velocity is asked for, NaN stands for what is free; on the base circle there is only one.
         Demand::Pass { at: place, height, velocity } => {
             let v = velocity.unwrap_or(if height == 0.0 { 0.0 } else { FREE });
             let v = if v.is_nan() { FREE } else { v };
-            Anchor { demand, from: place, to: place, start: at(height, v), end: at(height, v), side: Side::Instant }
+            Anchor {
+                demand,
+                from: place,
+                to: place,
+                start: at(height, v),
+                end: at(height, v),
+                side: Side::Instant,
+                lasts: false,
+            }
         }
     }
 }
@@ -414,8 +425,10 @@ fn plain_ways(before: Anchor, after: Anchor, taste: Taste) -> Vec<Candidate> {
     }
     let half = LAWS.iter().filter(|law| law.group == Group::Half);
     ways.extend(half.filter_map(|law| Some(one(law, standing(law, beta, start, end, orders)?))));
+    // What meets the jerk of its neighbours needs one that is known: that of a stretch, or one that is asked for.
+    let jerk_is_known = before.lasts && after.lasts;
     for (id, meets) in [("polynomial-5", 3), ("polynomial-7", 4)] {
-        let Some(law) = Law::by_id(id).filter(|_| meets >= orders) else { continue };
+        let Some(law) = Law::by_id(id).filter(|_| meets == orders || meets > orders && jerk_is_known) else { continue };
         ways.push(one(law, matched(law, meets, beta, start, end)));
         // From a rest to a line that is steep for so small a rise: it is enough to set out later, and the same the other way round.
         let rise = end.s - start.s;
@@ -549,36 +562,23 @@ fn motion(leg: &Leg, x: f64) -> Svaj {
     piece.map_or_else(Svaj::default, |piece| piece.at(x)).stretched(leg.segment.beta)
 }
 
+/// Places at which a piece is looked at.
+const LOOKS: usize = 64;
+
 /// Peaks of |v|, |a| and |j| over legs, and the lowest height.
 fn figures(legs: &[Leg]) -> ([f64; 3], f64) {
-    /// Looks at a piece; the peak is that of the parabola through the greatest and its neighbours.
-    const LOOKS: usize = 64;
-    /// Looks ever nearer to an end, each half as far from it: what comes to rest on the base circle may dip below it between two even looks.
-    const NEARER: i32 = 12;
     let mut peaks = [0.0_f64; 3];
     let mut lowest = f64::INFINITY;
     for leg in legs {
         let mut from = 0.0;
         for piece in &leg.pieces {
-            let at = |i: usize| {
-                let x = from + (piece.until - from) * i as f64 / LOOKS as f64;
-                piece.at(x).stretched(leg.segment.beta)
-            };
-            let looks: Vec<Svaj> = (0..=LOOKS).map(at).collect();
-            let height = |x: f64| piece.at(from + (piece.until - from) * x).s;
-            let beside =
-                (1..=NEARER).map(|k| 0.5_f64.powi(k) / LOOKS as f64).flat_map(|x| [height(x), height(1.0 - x)]);
-            lowest = looks.iter().map(|motion| motion.s).chain(beside).fold(lowest, f64::min);
-            for three in looks.windows(3) {
-                let (left, here, right) = (three[0].s, three[1].s, three[2].s);
-                let bend = left - 2.0 * here + right;
-                if here <= left && here <= right && bend > 0.0 {
-                    lowest = lowest.min(here - (right - left).powi(2) / (8.0 * bend));
-                }
-            }
+            let motion = |x: f64| piece.at(x).stretched(leg.segment.beta);
+            let step = (piece.until - from) / LOOKS as f64;
+            let looks: Vec<Svaj> = (0..=LOOKS).map(|i| motion(from + step * i as f64)).collect();
             for (order, peak) in (1..).zip(&mut peaks) {
                 let size = |i: usize| looks[i].order(order).abs();
                 let best = (0..=LOOKS).max_by(|&i, &k| size(i).total_cmp(&size(k))).unwrap_or(0);
+                // The peak is that of the parabola through the greatest and its neighbours.
                 let top = if (1..LOOKS).contains(&best) {
                     let (left, here, right) = (size(best - 1), size(best), size(best + 1));
                     let bend = left - 2.0 * here + right;
@@ -588,10 +588,27 @@ fn figures(legs: &[Leg]) -> ([f64; 3], f64) {
                 };
                 *peak = peak.max(top);
             }
+            lowest = lowest.min(bottom(from, piece.until, motion));
             from = piece.until;
         }
     }
     (peaks, lowest)
+}
+
+/// The lowest height between two places: at a look, or in a valley between two, where the velocity changes its sign.
+///
+/// Towards both ends the looks halve their distance from it: what comes to rest on the base circle may do so from below, in a valley as
+/// shallow as the third power of its length.
+fn bottom(from: f64, until: f64, motion: impl Fn(f64) -> Svaj) -> f64 {
+    const HALVINGS: i32 = 20;
+    let step = (until - from) / LOOKS as f64;
+    let near = (1..=HALVINGS).map(|k| step * 0.5_f64.powi(k));
+    let evenly = (1..LOOKS).map(|i| from + step * i as f64);
+    let places = near.clone().rev().map(|apart| from + apart).chain(evenly).chain(near.map(|apart| until - apart));
+    let looks: Vec<(f64, Svaj)> = std::iter::once(from).chain(places).chain([until]).map(|x| (x, motion(x))).collect();
+    let valleys = looks.windows(2).filter(|pair| pair[0].1.v < 0.0 && pair[1].1.v > 0.0);
+    let valleys = valleys.map(|pair| motion(root(pair[0].0, pair[1].0, |x| motion(x).v)).s);
+    looks.iter().map(|look| look.1.s).chain(valleys).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]
@@ -686,6 +703,41 @@ mod tests {
         let program = Program::new(&joining.segments).expect("a program");
         assert!(program.at(0.0).a > 0.0 && program.at(0.0).v.abs() < 1e-9);
         assert!(program.classified_joints().iter().all(|joint| joint.jump.is_none_or(|order| order == 3)));
+    }
+
+    #[test]
+    fn a_valley_between_two_looks_is_seen() {
+        // The polynomial through these points goes below the base circle for 3° of 290°.
+        let demands = [
+            pass(40.5, 7.98),
+            pass(102.2, 5.29),
+            pass(154.0, 9.71),
+            pass(228.7, 0.8),
+            dwell(290.1, 305.6, 17.28),
+            dwell(324.2, 333.6, 0.0),
+        ];
+        let joining = join(&demands, Taste { high_speed: true, least: 1 }).expect("joined");
+        let whole =
+            joining.choices[0].tried.iter().find(|tried| matches!(tried.way, Way::Law(law) if law.id == "polynomial"));
+        assert!(!whole.expect("tried").above);
+        let program = Program::new(&joining.segments).expect("a program");
+        assert!((0..=3600).all(|i| program.at(TAU * f64::from(i) / 3600.0).s > -1e-9));
+    }
+
+    #[test]
+    fn what_only_touches_the_base_circle_lends_no_jerk() {
+        // At θ = 0 the follower rests for an instant, and the polynomial before it leaves with a jerk that nobody asked for.
+        let demands = [
+            straight(32.7, 46.1, 8.72, 16.69),
+            dwell(64.4, 75.2, 0.5),
+            dwell(110.1, 145.8, 0.5),
+            dwell(197.1, 229.9, 0.5),
+            pass(279.3, 20.2),
+        ];
+        let joining = join(&demands, Taste { least: 1, ..LOW }).expect("joined");
+        assert_eq!(laws(&joining)[0], "polynomial-5");
+        let program = Program::new(&joining.segments).expect("a program");
+        assert!((0..=3600).all(|i| program.at(TAU * f64::from(i) / 3600.0).s > -1e-9));
     }
 
     #[test]
