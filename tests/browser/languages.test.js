@@ -159,6 +159,9 @@ test("no text is missing, and none is left in the other language", async (t) => 
   const english = await everyText(page, en);
   await switchTo(page, "es");
   await becomes(() => baseRadiusCure(page).first().textContent(), /^Con /);
+  // The drawings are told in words only once the hand rests.
+  await becomes(() => mechanism(page).getAttribute("aria-label"), /^Leva/);
+  await becomes(() => diagram(page, "j", es).count(), 1);
   const spanish = await everyText(page, es);
   for (const all of [english, spanish]) assert.deepEqual(all.filter((text) => KEY.test(text)), [], "keys instead of words");
   const both = new Set(english);
