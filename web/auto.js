@@ -18,19 +18,21 @@ addStrings({ en: autoEn, es: autoEs });
 
 const SHEET = `
 #auto { inline-size: min(46rem, 100vw - 2rem); max-inline-size: none; max-block-size: 94dvh; overflow: auto; }
-#auto .auto-row { display: grid; grid-template-columns: 1.4rem minmax(7rem, 1fr) repeat(4, minmax(3rem, 4.5rem)) 1.6rem; align-items: center; gap: 2px var(--space-1); padding-block: 2px; }
+#auto .auto-row { display: grid; grid-template-columns: 1.4rem minmax(7rem, 1fr) repeat(4, minmax(3rem, 4.5rem)) 28px; align-items: center; gap: 2px var(--space-1); padding-block: 2px; }
 #auto .auto-row .error { grid-column: 2 / -1; }
 #auto .auto-head { color: var(--muted); font-size: var(--size-small); text-align: end; }
 #auto .auto-row input { min-inline-size: 0; }
-#auto .auto-row button { min-inline-size: 0; padding: 0; border-color: transparent; background: none; color: var(--muted); }
+#auto .auto-row button { min-inline-size: 24px; min-block-size: 24px; padding: 0; border-color: transparent; background: none; color: var(--muted); }
 #auto .auto-bar { display: flex; flex-wrap: wrap; align-items: center; gap: var(--space-2) var(--space-4); margin-block: var(--space-2); }
 #auto canvas { display: block; inline-size: 100%; block-size: 9rem; }
 #auto ol.auto-why { display: grid; gap: var(--space-1); margin-block: var(--space-2); padding-inline-start: 1.2rem; list-style: disc; font-size: var(--size-small); }
 #auto .primary { border-color: var(--accent); background: var(--accent); color: var(--on-accent); }
 #auto .primary:disabled { border-color: var(--line); background: none; color: var(--muted); }
 #auto .auto-row.wrong { background: color-mix(in srgb, var(--bad) 12%, transparent); }
-#auto .auto-foot { display: flex; justify-content: end; gap: var(--space-2); margin-block-start: var(--space-3); }
-@media (max-width: 480px) { #auto .auto-row { grid-template-columns: 1rem minmax(5.6rem, 2fr) repeat(4, minmax(2.2rem, 1fr)) 1.2rem; } #auto { padding-inline: var(--space-3); } #auto .auto-row :is(input, select) { padding-inline: 2px; } }
+#auto .auto-foot { position: sticky; inset-block-end: calc(-1 * var(--space-5)); display: flex; justify-content: end; gap: var(--space-2); margin-block: var(--space-2) calc(-1 * var(--space-5)); padding-block: var(--space-3); background: var(--paper); }
+#auto .auto-bar .quiet { color: var(--accent); }
+#auto .auto-bar span:has(input) { display: flex; align-items: baseline; gap: var(--space-2); }
+@media (max-width: 480px) { #auto .auto-row { grid-template-columns: 0.7rem 7.4rem repeat(4, minmax(2.2rem, 1fr)) 24px; } #auto { padding-inline: var(--space-3); } #auto .auto-row :is(input, select) { padding-inline: 2px; font-size: var(--size-small); } #auto .auto-row select { padding-inline-end: 14px; } }
 `;
 
 /** What the machine must do: the fields of each kind of requirement, by the columns of the table. */
@@ -87,7 +89,7 @@ function create(context) {
     heading,
     about,
     list,
-    h("div", { class: "auto-bar" }, add, h("span", {}, leastLabel, " ", least), h("span", {}, fast, " ", fastLabel)),
+    h("div", { class: "auto-bar" }, add, h("span", {}, leastLabel, " ", least), h("span", {}, fast, fastLabel)),
     problem,
     picture,
     why,

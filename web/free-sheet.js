@@ -4,14 +4,14 @@ import { freeEs } from "./strings/free.es.js";
 import { addStrings } from "./strings/index.js";
 
 const SHEET = `
-.parameters:has(.conditions) { padding-inline-start: 1.5rem; }
+.parameters:has(.conditions) { padding-inline-start: 0.75rem; }
 .conditions { flex: 1 0 100%; padding-block-end: var(--space-1); font-size: var(--size-small); }
-.conditions .row { display: grid; grid-template-columns: 3.8rem repeat(4, minmax(0, 1fr)) 1.2rem 1.2rem; align-items: center; column-gap: 2px; }
+.conditions .row { display: grid; grid-template-columns: 3.8rem repeat(4, minmax(0, 1fr)) 24px 24px; align-items: center; column-gap: 2px; }
 .conditions .head { color: var(--muted); text-align: end; }
 .conditions .head span { padding-inline-end: var(--space-1); }
-.conditions .row input.number { padding-inline: 3px; }
+.conditions .row input.number { min-block-size: max(24px, var(--row)); padding-inline: 3px; }
 .conditions .row .error { grid-column: 1 / -1; padding-block-end: 3px; }
-.conditions .row button { min-inline-size: 0; min-block-size: 1.5rem; padding: 0; border-color: transparent; background: none; color: var(--muted); }
+.conditions .row button { min-inline-size: 24px; min-block-size: 24px; padding: 0; border-color: transparent; background: none; color: var(--muted); }
 .conditions .row button:hover { color: var(--ink); }
 .conditions .foot { display: flex; align-items: center; justify-content: space-between; gap: var(--space-2); }
 .conditions .foot .quiet { color: var(--accent); }

@@ -7,6 +7,9 @@ import {
 
 /** @typedef {import("playwright-core").Page} Page */
 
+/** A polynomial through nine conditions. */
+const CONDITIONS = "1.Example_R6.R2_1uiw12.566op_30_.75p0p56.88_110.27p123.84_79.35p198.72_106.71p256.32N256.32s0v0a0s56.88_1.177s123.84_.847s198.72_1.139s256.32v256.32a256.32D103.68.0WiuYM";
+
 test("axe finds nothing on the page as it opens, with findings, with an error, after a damaged link", async (t) => {
   /** @type {string[]} */
   const found = [];
@@ -70,6 +73,26 @@ test("axe finds nothing on a phone and on a projector", async (t) => {
   await phone.page.setViewportSize({ width: 1920, height: 1080 });
   await phone.page.keyboard.press("p");
   found.push(...(await violations(phone.page, "projector")));
+  assert.deepEqual(found, []);
+});
+
+test("axe finds nothing in the table of conditions and in Auto, and no target is small", async (t) => {
+  /** @type {string[]} */
+  const found = [];
+  /** @param {Page} page @param {string} selector */
+  const small = (page, selector) =>
+    page.locator(selector).evaluateAll((all) =>
+      all.filter((one) => one.checkVisibility()).map((one) => [one, one.getBoundingClientRect()]).filter(([, { width, height, right }]) => width < 23.9 || height < 23.9 || right > innerWidth)
+        .map(([one, { width, height }]) => `${one.getAttribute("aria-label") ?? one.textContent}: ${width}×${height}`));
+  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: /** @type {const} */ ("dark"), locale: "es-ES" };
+  for (const { say, ...options } of [{ say: en }, { ...phone, say: es }]) {
+    const { page } = await openStill(t, { fragment: CONDITIONS, ...options });
+    await page.locator(".conditions").waitFor();
+    found.push(...(await violations(page, "conditions")), ...(await small(page, ".conditions :is(button, input)")));
+    await page.getByRole("button", { name: say("segments.auto"), exact: true }).click();
+    await page.locator("#auto li").first().waitFor();
+    found.push(...(await violations(page, "auto")), ...(await small(page, "#auto :is(button, select, input[type=text])")));
+  }
   assert.deepEqual(found, []);
 });
 
