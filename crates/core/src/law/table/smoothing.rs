@@ -4,7 +4,7 @@
 //! answer is a quintic spline with its knots at the points). Written in heights and slopes at the points, that is a sum over the stretches between
 //! them, K·x + μ·(x − measured) = 0 with μ the weight of the points, a block-tridiagonal system; μ is searched for.
 
-use super::table::{Slope, gap};
+use super::spline::{Slope, gap};
 use nalgebra::{Matrix3, Vector3};
 
 /// What the ends of a table are held to.
