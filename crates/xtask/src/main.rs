@@ -1,6 +1,7 @@
 //! `cargo xtask serve | test | dist | bench | soak`: everything that builds, runs and checks LevaLab.
 
 mod bench;
+mod constants;
 mod dist;
 mod html;
 mod library;

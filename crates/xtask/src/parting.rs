@@ -2,18 +2,24 @@
 //!
 //! Which functions the first picture needs is not guessed: a watched copy of the module draws it (`first-picture.js`) and tells what it
 //! entered. In the first part every other function is a stub that calls through the table; the rest, once there, puts its functions into
-//! that table. Memory, tables and globals are one, so nothing has to be started afresh. A stub that is called too early finds an empty
+//! that table. Constants that only those read wait with them. Memory, tables and globals are one, so nothing has to be started afresh. A stub that is called too early finds an empty
 //! slot, which is a trap: `web/engine.js` then waits for the rest.
 
-use std::collections::{HashMap, HashSet};
+use std::{
+    collections::{HashMap, HashSet},
+    iter, mem,
+    ops::Range,
+};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use walrus::{
-    ConstExpr, ElementItems, ElementKind, ExportItem, FunctionBuilder, FunctionId, FunctionKind, GlobalKind,
-    ImportedFunction, Module, ModuleConfig, TableId, ValType,
+    ConstExpr, Data, DataKind, ElementItems, ElementKind, ExportItem, FunctionBuilder, FunctionId, FunctionKind,
+    GlobalKind, ImportedFunction, Memory, Module, ModuleConfig, TableId, ValType,
     ir::{Value, Visitor, dfs_in_order},
     passes::gc,
 };
+
+use crate::constants::Constants;
 
 /// The module whose exports the rest imports.
 const FIRST: &str = "first";
@@ -42,11 +48,13 @@ pub fn watched(module: &[u8]) -> Result<Vec<u8>> {
 }
 
 /// Parts a module; `entered` holds the numbers of the functions that the first picture entered.
-pub fn part(module: &[u8], entered: &HashSet<usize>) -> Result<Parts> {
+pub fn part(module: &[u8], entered: &HashSet<usize>, constants: &Constants) -> Result<Parts> {
     ensure!(!entered.is_empty(), "the first picture entered no function");
-    let early = with_small_ones(&parsed(module)?, entered);
-    let (rest, needed) = rest(module, &early)?;
-    Ok(Parts { first: first(module, &early, &needed)?, rest })
+    let whole = parsed(module)?;
+    let early = with_small_ones(&whole, entered);
+    let late = constants.unread(&whole, &functions_where(&whole, &early, true));
+    let (rest, needed) = rest(module, &early, &late)?;
+    Ok(Parts { first: first(module, &early, &late, &needed)?, rest })
 }
 
 /// The functions of the first part: those that were entered, and the small ones that they call. Which turn a sort or a number takes
@@ -76,9 +84,10 @@ impl Visitor<'_> for Called {
 }
 
 /// The rest, and the names of all that it wants from the first part.
-fn rest(bytes: &[u8], early: &HashSet<usize>) -> Result<(Vec<u8>, Vec<String>)> {
+fn rest(bytes: &[u8], early: &HashSet<usize>, late_constants: &[Range<u32>]) -> Result<(Vec<u8>, Vec<String>)> {
     let mut module = parsed(bytes)?;
-    let late = late_functions(&module, early);
+    keep_constants(&mut module, |_| late_constants.to_vec())?;
+    let late = functions_where(&module, early, false);
     let (table, slots) = slots(&module)?;
     let exports: Vec<_> = module.exports.iter().map(walrus::Export::id).collect();
     exports.into_iter().for_each(|id| module.exports.delete(id));
@@ -96,7 +105,7 @@ fn rest(bytes: &[u8], early: &HashSet<usize>) -> Result<(Vec<u8>, Vec<String>)> 
 
 /// Everything but the functions `kept` comes from the first part: functions `f`, memories `m`, tables `t`, globals `g`, each with its place.
 fn import_all(module: &mut Module, kept: &HashSet<FunctionId>) {
-    let Module { funcs, memories, tables, globals, imports, elements, data, .. } = module;
+    let Module { funcs, memories, tables, globals, imports, elements, .. } = module;
     for (place, function) in funcs.iter_mut().enumerate() {
         if !kept.contains(&function.id()) {
             let import = imports.add(FIRST, &format!("f{place}"), function.id());
@@ -105,7 +114,6 @@ fn import_all(module: &mut Module, kept: &HashSet<FunctionId>) {
     }
     for (place, memory) in memories.iter_mut().enumerate() {
         memory.import = Some(imports.add(FIRST, &format!("m{place}"), memory.id()));
-        memory.data_segments.drain().for_each(|id| data.delete(id));
     }
     for (place, table) in tables.iter_mut().enumerate() {
         table.import = Some(imports.add(FIRST, &format!("t{place}"), table.id()));
@@ -119,11 +127,12 @@ fn import_all(module: &mut Module, kept: &HashSet<FunctionId>) {
     }
 }
 
-fn first(bytes: &[u8], early: &HashSet<usize>, needed: &[String]) -> Result<Vec<u8>> {
+fn first(bytes: &[u8], early: &HashSet<usize>, late: &[Range<u32>], needed: &[String]) -> Result<Vec<u8>> {
     let mut module = parsed(bytes)?;
+    keep_constants(&mut module, |place| between(place, late))?;
     let (table, slots) = slots(&module)?;
     let mut slot = slots;
-    for id in late_functions(&module, early) {
+    for id in functions_where(&module, early, false) {
         stub(&mut module, id, table, slot);
         slot += 1;
     }
@@ -137,6 +146,45 @@ fn first(bytes: &[u8], early: &HashSet<usize>, needed: &[String]) -> Result<Vec<
     }
     gc::run(&mut module);
     Ok(module.emit_wasm())
+}
+
+/// Makes new segments of constants out of all: one for each stretch of memory that `kept` names among all that they take up.
+fn keep_constants(module: &mut Module, kept: impl Fn(Range<u32>) -> Vec<Range<u32>>) -> Result<()> {
+    let segments: Vec<_> = module.data.iter().map(Data::id).collect();
+    let mut pieces: Vec<(u32, Vec<u8>)> = Vec::new();
+    let [memory] = module.memories.iter().map(Memory::id).collect::<Vec<_>>()[..] else {
+        bail!("constants belong into one memory")
+    };
+    for id in segments {
+        let segment = module.data.get_mut(id);
+        let DataKind::Active { offset: ConstExpr::Value(Value::I32(start)), .. } = segment.kind else {
+            bail!("a constant without a place")
+        };
+        pieces.push((start.cast_unsigned(), mem::take(&mut segment.value)));
+        module.data.delete(id);
+    }
+    let memory_of = module.memories.get_mut(memory);
+    memory_of.data_segments.clear();
+    let start = pieces.iter().map(|(start, _)| *start).min().unwrap_or(0);
+    let mut image: Vec<u8> = Vec::new();
+    for (place, bytes) in &pieces {
+        let place = (place - start) as usize;
+        image.resize(image.len().max(place + bytes.len()), 0);
+        image[place..place + bytes.len()].copy_from_slice(bytes);
+    }
+    for stretch in kept(start..start + u32::try_from(image.len())?) {
+        let bytes = image[(stretch.start - start) as usize..(stretch.end - start) as usize].to_vec();
+        let offset = ConstExpr::Value(Value::I32(stretch.start.cast_signed()));
+        memory_of.data_segments.insert(module.data.add(DataKind::Active { memory, offset }, bytes));
+    }
+    Ok(())
+}
+
+/// What is left of a range without some of its parts, which are in order.
+fn between(whole: Range<u32>, without: &[Range<u32>]) -> Vec<Range<u32>> {
+    let starts = iter::once(whole.start).chain(without.iter().map(|gap| gap.end));
+    let ends = without.iter().map(|gap| gap.start).chain([whole.end]);
+    starts.zip(ends).map(|(start, end)| start..end).filter(|left| !left.is_empty()).collect()
 }
 
 /// Makes a function pass its arguments on to whatever a slot of the table holds.
@@ -175,9 +223,10 @@ fn own_functions(module: &Module) -> Vec<FunctionId> {
     module.funcs.iter_local().map(|(id, _)| id).collect()
 }
 
-fn late_functions(module: &Module, early: &HashSet<usize>) -> Vec<FunctionId> {
+/// Those with a number among the early ones, or the others.
+fn functions_where(module: &Module, early: &HashSet<usize>, wanted: bool) -> Vec<FunctionId> {
     let functions = own_functions(module).into_iter().enumerate();
-    functions.filter(|(number, _)| !early.contains(number)).map(|(_, id)| id).collect()
+    functions.filter(|(number, _)| early.contains(number) == wanted).map(|(_, id)| id).collect()
 }
 
 /// The table of functions, and its first slot beyond those of the whole module.

@@ -14,6 +14,7 @@ use anyhow::{Context, Result, ensure};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::{
+    constants::{self, Constants},
     library,
     parting::{self, Parts},
     process::{self, run, told},
@@ -71,7 +72,7 @@ const EMPTY: [u8; 8] = *b"\0asm\x01\0\0\0";
 const EXPORTS: &str = "levalab-export-wasm";
 
 /// Part of the stamp: raise it when the steps below change what they write.
-const RECIPE: &str = "4";
+const RECIPE: &str = "5";
 
 /// What makes the module smaller when the standard library is built from source with it: a panic stops at once instead of
 /// making a sentence that nobody reads, and carries neither places nor the `Debug` forms of values.
@@ -150,7 +151,7 @@ fn compile_with(name: &str, compiler: &WasmCompiler, build: Build, small: bool) 
         .arg("--target-dir")
         .arg(&target)
         .args(SMALL_ARGUMENTS.iter().filter(|_| small))
-        .env("CARGO_ENCODED_RUSTFLAGS", flags(small));
+        .env("CARGO_ENCODED_RUSTFLAGS", flags(small, parted(name, build)));
     told(&format!("compiling {name} for the page"), || run(&mut command))?;
     Ok(target.join(WASM).join(build.profile()).join(file_stem(name) + ".wasm"))
 }
@@ -188,10 +189,16 @@ fn debian_cargo(task: &str, linker: &Path) -> Command {
     command
 }
 
+/// True for a module that is shipped in two parts.
+fn parted(name: &str, build: Build) -> bool {
+    name == PAGE && build == Build::Shipped
+}
+
 /// Compiler flags that keep this machine's folders out of the shipped file, and those that make it small.
-fn flags(small: bool) -> OsString {
+fn flags(small: bool, parted: bool) -> OsString {
     let sources = dependency_folders().into_iter().chain([project::root().to_path_buf()]);
     let mut flags: Vec<OsString> = SMALL_FLAGS.iter().filter(|_| small).map(OsString::from).collect();
+    flags.extend(constants::FLAGS.iter().filter(|_| parted).map(OsString::from));
     for folder in sources {
         let mut flag = OsString::from("--remap-path-prefix=");
         flag.push(folder);
@@ -229,14 +236,17 @@ fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
     if fresh.exists() {
         fs::remove_dir_all(&fresh).context("target/pkg")?;
     }
-    write_glue(module, &fresh)?;
-    let glue = fresh.join(file_stem(name) + ".js");
-    let module = fresh.join(file_stem(name) + "_bg.wasm");
+    let linked = fs::read(module).with_context(|| module.display().to_string())?;
+    let constants = parted(name, build).then(|| Constants::of(&linked)).transpose()?;
+    let stem = file_stem(name);
+    write_glue(&stem, if constants.is_some() { constants::without_lists(&linked)? } else { linked }, &fresh)?;
+    let glue = fresh.join(format!("{stem}.js"));
+    let module = fresh.join(format!("{stem}_bg.wasm"));
     if build == Build::Shipped {
         optimise(&module)?;
     }
     if name == PAGE {
-        part(&glue, &module, build)?;
+        part(&glue, &module, constants.as_ref())?;
     }
     let package = package();
     fs::create_dir_all(&package).context("web/pkg")?;
@@ -248,17 +258,17 @@ fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
     Ok(())
 }
 
-/// Parts a module that is shipped; else its first part is the whole, and the rest is empty.
-fn part(glue: &Path, module: &Path, build: Build) -> Result<()> {
+/// Parts a module whose constants are told apart; else its first part is the whole, and the rest is empty.
+fn part(glue: &Path, module: &Path, constants: Option<&Constants>) -> Result<()> {
     let whole = fs::read(module)?;
-    let parts = match build {
-        Build::Quick => Parts { first: whole, rest: EMPTY.into() },
-        Build::Shipped => parting::part(&whole, &entered(glue, &whole)?)?,
+    let parts = match constants {
+        None => Parts { first: whole, rest: EMPTY.into() },
+        Some(constants) => parting::part(&whole, &entered(glue, &whole)?, constants)?,
     };
     for (file, bytes) in [(FIRST, parts.first), (REST, parts.rest)] {
         let place = module.with_file_name(file);
         fs::write(&place, bytes)?;
-        if build == Build::Shipped {
+        if constants.is_some() {
             optimise(&place)?;
         }
     }
@@ -280,9 +290,9 @@ fn entered(glue: &Path, whole: &[u8]) -> Result<HashSet<usize>> {
     serde_json::from_slice(&output.stdout).context("first-picture.js printed no JSON")
 }
 
-fn write_glue(module: &Path, folder: &Path) -> Result<()> {
+fn write_glue(stem: &str, module: Vec<u8>, folder: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(module).web(true)?.typescript(true).omit_default_module_path(false);
+    bindgen.input_bytes(stem, module).web(true)?.typescript(true).omit_default_module_path(false);
     bindgen.remove_name_section(true).remove_producers_section(true);
     bindgen.generate(folder).context("wasm-bindgen")
 }
