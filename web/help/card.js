@@ -6,12 +6,9 @@
 import { h } from "../dom.js";
 import { followerEntry } from "../follower-choice.js";
 import { createHelpDrawing } from "../help-drawings.js";
-import { isSingleFile } from "../packed.js";
+import { addressOf, pageOf } from "./pages.js";
 import { beside } from "./place.js";
-import { dressed, pageAddress } from "./words.js";
-
-/** Pages of terms by language, read once. @type {Map<Language, Promise<Document>>} */
-const pages = new Map();
+import { dressed } from "./words.js";
 
 const close = h("button", { type: "button", class: "quiet close" }, "×");
 const content = h("div");
@@ -41,28 +38,11 @@ export async function show(context, asked) {
  * @param {string} term
  */
 async function find(language, term) {
-  const within = document.getElementById(`terms-${language}`);
-  if (within instanceof HTMLTemplateElement) return /** @type {HTMLElement | null} */ (within.content.getElementById(term));
   try {
-    let page = pages.get(language);
-    if (!page) pages.set(language, (page = read(pageAddress("terms-", language))));
-    return (await page).getElementById(term);
+    return (await pageOf(`terms-${language}`)).getElementById(term);
   } catch {
-    pages.delete(language);
     return null;
   }
-}
-
-/** A page of our own as a document, in which nothing runs. @param {string} address @returns {Promise<Document>} */
-function read(address) {
-  return new Promise((resolve, reject) => {
-    const request = new XMLHttpRequest();
-    request.responseType = "document";
-    request.addEventListener("load", () => (request.response instanceof Document && request.status < 400 ? resolve(request.response) : reject(new Error(address))));
-    request.addEventListener("error", () => reject(new Error(address)));
-    request.open("GET", address);
-    request.send();
-  });
 }
 
 /**
@@ -77,9 +57,8 @@ function dress({ store, catalogue, t }, entry, term) {
   const name = article.querySelector("h3");
   const title = h("h2", { id: "term-name" }, ...(name?.querySelector("a")?.childNodes ?? []));
   name?.replaceWith(title);
-  if (isSingleFile()) article.querySelector(".more")?.remove();
   for (const link of article.querySelectorAll("a")) {
-    link.href = new URL(link.getAttribute("href") ?? "", pageAddress("", store.state.language)).href;
+    link.href = addressOf(link.getAttribute("href") ?? "");
     link.target = "_blank";
     link.rel = "noopener";
   }

@@ -4,10 +4,10 @@
  * @import { ShellContext } from "../types.d.ts"
  */
 import { h } from "../dom.js";
-import { isSingleFile } from "../packed.js";
 import { createTexts } from "../texts.js";
+import { addressOf } from "./pages.js";
 import { startTour } from "./tour.js";
-import { dressed, pageAddress } from "./words.js";
+import { dressed } from "./words.js";
 
 /** @type {HTMLDialogElement | undefined} */
 let dialog;
@@ -27,8 +27,6 @@ function create(context) {
   const close = texts.text(h("button", { type: "button", autofocus: true }), "help.close");
   const tour = texts.text(h("button", { type: "button", class: "start-tour" }), "help.tour");
   const reading = h("ul", { class: "reading" }, link("manual-", "help.manual", "help.manual.hint"), link("", "help.theory", "help.theory.hint"), link("terms-", "help.terms", "help.terms.hint"));
-  // They are pages of their own, which a single file has not.
-  reading.hidden = isSingleFile();
   const words = {
     or: () => texts.text(h("span"), "key.or"),
     space: () => texts.text(h("kbd"), "key.space"),
@@ -55,7 +53,7 @@ function create(context) {
   /** @param {"" | "terms-" | "manual-"} page @param {string} label @param {string} hint */
   function link(page, label, hint) {
     const anchor = texts.text(h("a", { target: "_blank", rel: "noopener" }), label);
-    texts.also(() => (anchor.href = pageAddress(page, store.state.language)));
+    texts.also(() => (anchor.href = addressOf(`${page}${store.state.language}.html`)));
     return h("li", {}, anchor, " ", texts.text(h("span"), hint));
   }
 

@@ -14,13 +14,3 @@ export const dressed = isSingleFile()
       const href = new URL("../styles/help.css", import.meta.url).href;
       document.head.append(h("link", { rel: "stylesheet", href, onload: resolve, onerror: resolve }));
     });
-
-/**
- * The address of a page of theory in that language.
- * @param {"" | "terms-" | "manual-"} page
- * @param {import("../types.d.ts").Language} language
- */
-export function pageAddress(page, language) {
-  const help = document.querySelector('link[rel="help"]');
-  return new URL(`${page}${language}.html`, help instanceof HTMLLinkElement ? help.href : document.baseURI).href;
-}

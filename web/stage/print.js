@@ -1,15 +1,7 @@
 /** On paper a canvas is a grey bitmap: for printing, the same diagrams as vector drawings. */
+import { parseOwn } from "../own-markup.js";
 
 /** @typedef {{ canvas: HTMLCanvasElement, svg: string }} Drawing */
-
-/** The engine's own drawing, with its text already escaped, is the only thing that passes. */
-const policy = trustedPolicy();
-
-function trustedPolicy() {
-  /** @type {{ createPolicy(name: string, rules: { createHTML(text: string): string }): { createHTML(text: string): string } } | undefined} */
-  const factory = Reflect.get(globalThis, "trustedTypes");
-  return factory?.createPolicy("levalab-drawing", { createHTML: (text) => text });
-}
 
 /**
  * A drawing of ours as an element.
@@ -17,8 +9,7 @@ function trustedPolicy() {
  * @returns {SVGElement | null}
  */
 export function parse(text) {
-  const page = new DOMParser().parseFromString(policy ? policy.createHTML(text) : text, "image/svg+xml");
-  const { documentElement } = page;
+  const { documentElement } = parseOwn(text, "image/svg+xml");
   if (documentElement.nodeName !== "svg") return null;
   for (const script of documentElement.querySelectorAll("script, foreignObject")) script.remove();
   return document.importNode(/** @type {SVGElement} */ (/** @type {unknown} */ (documentElement)), true);

@@ -1,6 +1,6 @@
 // Joins and minifies the page's modules and styles:
 // `node bundle.js '{"out": …, "single": …, "modules": […], "scripts": […], "styles": […], "sheets": […]}'`.
-// Prints which of the files written the modules need at once. Into the folder `single` goes each module whole, for the single-file page.
+// Prints which of the files written the modules need at once. Into the folder `single` goes `main.js` whole, for the single-file page.
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { build } from "esbuild";
@@ -60,18 +60,20 @@ await build({
 // Sheets that pages of their own and parts on demand ask for by name.
 await build({ ...common, entryPoints: sheets, outbase: "web", bundle: true });
 
-// The single-file page: nothing is imported when it runs, and the glue is a function that makes a fresh copy of it.
+// The single-file page: nothing is imported when it runs, the glue is a function that makes a fresh copy of it, and the pages of
+// theory are in it.
 const glue = await build({ ...common, entryPoints: ["web/pkg/levalab_wasm.js"], bundle: true, write: false, format: "iife", globalName: "glue", define: { "import.meta.url": "document.baseURI" } });
 /** @type {import("esbuild").Plugin} */
 const inOneFile = {
   name: "in-one-file",
   setup(build) {
     build.onResolve({ filter: /(^|\/)module\.js$/ }, () => ({ path: path.join(web, "module-inline.js") }));
+    build.onResolve({ filter: /(^|\/)pages\.js$/ }, () => ({ path: path.join(web, "help/pages-inline.js") }));
     build.onResolve({ filter: /^levalab:glue$/ }, () => ({ path: "glue", namespace: "levalab" }));
     build.onLoad({ filter: /.*/, namespace: "levalab" }, () => ({ contents: `export function freshGlue() { ${glue.outputFiles[0].text}; return glue; }` }));
   },
 };
-await build({ ...common, outdir: single, entryPoints: modules, entryNames: "[name]", bundle: true, format: "esm", plugins: [inOneFile], define: { "import.meta.url": "document.baseURI" } });
+await build({ ...common, outdir: single, entryPoints: { main: "web/single.js" }, bundle: true, format: "esm", plugins: [inOneFile], define: { "import.meta.url": "document.baseURI" } });
 
 /** The parts that the modules import at once, and those that these import. @type {Set<string>} */
 const parts = new Set();

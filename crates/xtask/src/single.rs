@@ -1,4 +1,4 @@
-//! The page as one HTML file that opens from disk: scripts, styles and module inside, under a policy of their hashes.
+//! The page as one HTML file that opens from disk: scripts, styles, module and the pages of theory inside, under a policy of hashes.
 
 use std::{
     fs,
@@ -39,6 +39,7 @@ impl Parts<'_> {
         let style = read(&self.packed.join("style.css"))?
             + &read(&self.packed.join("styles/help.css"))?
             + &read(&self.packed.join("styles/exports.css"))?;
+        let reading = read(&self.packed.join("styles/theory.css"))?;
         let mut scripts = Vec::new();
         let mut bodies = String::new();
         let mut styled = false;
@@ -58,7 +59,8 @@ impl Parts<'_> {
         let page = html::rewrite(self.html, self.loads, |load| match load.kind {
             Kind::Style(_) if !styled => {
                 styled = true;
-                format!("<style>{style}</style>")
+                // The second is for the pages of theory, which `web/single.js` puts in the place of the cam.
+                format!("<style>{style}</style>\n    <style id=\"pages-style\" media=\"not all\">{reading}</style>")
             }
             Kind::Script => format!("<script>{}</script>", scripts[0]),
             Kind::Other if load.tag.contains("rel=\"icon\"") => icon.clone(),
@@ -66,25 +68,22 @@ impl Parts<'_> {
         });
         let module = BASE64.encode(fs::read(self.module).context("the module")?);
         let data = format!("<script type=\"application/wasm;base64\" id=\"levalab-module\">{module}</script>\n  ");
-        let terms = ["en", "es"]
-            .into_iter()
-            .map(|language| theory::terms(self.theory, language))
-            .collect::<Result<String>>()?;
-        let page = page.replacen("</body>", &format!("{terms}{data}{bodies}</body>"), 1);
+        let pages = theory::packed(self.theory)?;
+        let page = page.replacen("</body>", &format!("{pages}{data}{bodies}</body>"), 1);
         let page = html::packed_as(&page, "file");
-        with_policy(&page, &scripts, &style)
+        with_policy(&page, &scripts, &[style, reading])
     }
 }
 
 /// Its own scripts and styles by their hashes, and nothing from anywhere.
-fn with_policy(page: &str, scripts: &[String], style: &str) -> Result<String> {
-    let hash = |text: &str| format!("'sha256-{}'", BASE64.encode(Sha256::digest(text)));
-    let scripts: Vec<_> = scripts.iter().map(|script| hash(script)).collect();
+fn with_policy(page: &str, scripts: &[String], styles: &[String]) -> Result<String> {
+    let hash = |text: &String| format!("'sha256-{}'", BASE64.encode(Sha256::digest(text)));
+    let hashes = |texts: &[String]| texts.iter().map(hash).collect::<Vec<_>>().join(" ");
     let policy = format!(
         "default-src 'none'; script-src {} 'wasm-unsafe-eval'; style-src {}; img-src data: blob:; base-uri 'none'; \
          form-action 'none'; require-trusted-types-for 'script'",
-        scripts.join(" "),
-        hash(style)
+        hashes(scripts),
+        hashes(styles)
     );
     let start = page.find("content=\"default-src").context("index.html has no policy")? + "content=\"".len();
     let end = start + page[start..].find('"').context("the policy has no end")?;

@@ -10,7 +10,7 @@ use flate2::{Compression, write::GzEncoder};
 pub struct Size {
     /// As it is.
     pub raw: usize,
-    /// Gzip, level 9.
+    /// Packed by [`gzip`].
     pub gzip: usize,
 }
 
@@ -18,15 +18,20 @@ impl Size {
     /// Weighs a file.
     pub fn of(file: &Path) -> Result<Size> {
         let bytes = fs::read(file).with_context(|| file.display().to_string())?;
-        let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-        encoder.write_all(&bytes)?;
-        Ok(Size { raw: bytes.len(), gzip: encoder.finish()?.len() })
+        Ok(Size { raw: bytes.len(), gzip: gzip(&bytes)?.len() })
     }
 
     /// Both together.
     pub fn plus(self, other: Size) -> Size {
         Size { raw: self.raw + other.raw, gzip: self.gzip + other.gzip }
     }
+}
+
+/// As web servers send it, level 9.
+pub fn gzip(bytes: &[u8]) -> Result<Vec<u8>> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
+    encoder.write_all(bytes)?;
+    Ok(encoder.finish()?)
 }
 
 /// `12.3 KB`, of 1,000 bytes each.

@@ -3,8 +3,12 @@
 use std::{fs, io::Write, path::Path, process::Stdio};
 
 use anyhow::{Context, Result, ensure};
+use base64::{Engine, engine::general_purpose::STANDARD as BASE64};
 
-use crate::process::{self, cargo};
+use crate::{
+    process::{self, cargo},
+    size::gzip,
+};
 
 /// Style sheets that these pages, and the cards that show parts of them, load by name.
 pub const SHEETS: [&str; 3] = ["web/styles/theory.css", "web/styles/help.css", "web/styles/exports.css"];
@@ -38,10 +42,13 @@ pub fn publish(folder: &Path, dist: &Path, hash: &str) -> Result<()> {
     fs::remove_dir_all(from).context("theory")
 }
 
-/// The terms of a language as a template for the single-file page, whose question marks can load nothing.
-pub fn terms(theory: &Path, language: &str) -> Result<String> {
-    let page = fs::read_to_string(theory.join(format!("terms-{language}.html"))).context("the page of terms")?;
-    let (_, rest) = page.split_once("<main>").context("the page of terms has no <main>")?;
-    let (main, _) = rest.split_once("</main>").context("the <main> of the page of terms has no end")?;
-    Ok(format!("<template id=\"terms-{language}\">{main}</template>\n  "))
+/// The pages for the single file, each packed in a script of its own that does not run.
+pub fn packed(theory: &Path) -> Result<String> {
+    let mut scripts = String::new();
+    for name in ["en", "es", "terms-en", "terms-es", "manual-en", "manual-es"] {
+        let page = fs::read(theory.join(format!("{name}.html"))).with_context(|| format!("the page {name}"))?;
+        let packed = BASE64.encode(gzip(&page)?);
+        scripts += &format!("<script type=\"text/html;gzip;base64\" id=\"page-{name}\">{packed}</script>\n  ");
+    }
+    Ok(scripts)
 }
