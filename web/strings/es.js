@@ -3,7 +3,7 @@ export const es = {
 
   "app.tagline": "Levas de placa: se diseñan, se analizan y se ven girar",
   "app.design": "Diseño",
-  "app.verdict": "Dictamen",
+  "app.verdict": "Veredicto",
   "app.untitled": "Leva sin título",
 
   "banner.close": "Cerrar",
@@ -187,8 +187,8 @@ export const es = {
   "segments.auto": "Automático",
   "segments.closed": "{whole} y cerrado",
   "segments.complete": "{whole}, completo",
-  "segments.left": "faltan {angle} para {whole}",
-  "segments.over": "sobran {angle} de {whole}",
+  "segments.left": { one: "falta {angle} para {whole}", other: "faltan {angle} para {whole}" },
+  "segments.over": "pasa {angle} de {whole}",
   "segments.height.above": "acaba {height} por encima",
   "segments.height.below": "acaba {height} por debajo",
   "segments.fill": "Completar con un detenimiento",

@@ -4,7 +4,7 @@ export const filesEs = {
   "edit.recent": "diseño reciente",
   "recent.title": "Diseños recientes",
   "recent.about": "Se guardan solo en este navegador, cada uno como quedó. Abrir uno se puede deshacer.",
-  "recent.none": "Todavía no hay ninguno: aquí aparecerá lo que cambies o abras.",
+  "recent.none": "Todavía no hay ninguno: aquí aparecerá lo que cambie o abra.",
   "recent.elsewhere": "abierto en otra pestaña",
   "recent.remove": "Quitar de la lista",
   "recent.remove.of": "Quitar «{title}» de la lista",
