@@ -172,8 +172,7 @@ export function createGeometry(context, texts) {
     "div",
     { class: "choices-row" },
     ...turning,
-    texts.attribute(texts.text(h("label", { for: "field-length-unit" }), "design.length-unit"), "title", "design.length-unit.hint"),
-    lengthUnit,
+    h("span", {}, texts.attribute(texts.text(h("label", { for: "field-length-unit" }), "design.length-unit"), "title", "design.length-unit.hint"), " ", lengthUnit),
   );
   const root = h(
     "fieldset",

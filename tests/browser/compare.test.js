@@ -44,6 +44,26 @@ test("a pinned design stays beside the next in diagrams and mechanism, through c
   await eventually(() => inkOf(mechanism(page), "look-1", 30), ({ count }) => assert(count > 100));
 });
 
+test("what is pinned is the design of the click, even when what pins it comes later than the next edit", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  /** @type {() => void} */
+  let release = () => {};
+  const gate = new Promise((resolve) => (release = () => resolve(undefined)));
+  await page.route("**/*.js", async (route) => {
+    await gate;
+    await route.continue();
+  });
+  const asked = page.waitForRequest("**/*.js");
+  await page.locator("#pin").click();
+  await asked;
+  await field(page, "base_radius").fill("45");
+  await nextFragment(page, LINKS["9RT"]);
+  release();
+  await becomes(() => legend(page), ["Example 9RT"]);
+  await open(page);
+  await becomes(() => rows(page).nth(1).innerText(), /R\s?b\s*35\b/);
+});
+
 test("the slate can be renamed, put in order by keyboard, shown or not, and given back", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   await pinExamples(page, ["9RT", "R5", "2RO"]);

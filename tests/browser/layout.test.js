@@ -49,6 +49,19 @@ const cutOff = (page) =>
       .map((node) => node.textContent?.trim() || node.getAttribute("aria-label")),
   );
 
+/** Lines that a text takes. @param {import("playwright-core").Locator} text */
+const lines = (text) => text.evaluate((node) => Math.round(node.getBoundingClientRect().height / parseFloat(getComputedStyle(node).lineHeight)));
+
+test("on a laptop the judgement keeps to one line, in both languages, with and without a cam", async (t) => {
+  for (const [locale, fragment] of [["es-ES", LINKS["9RT"]], ["en-GB", LINKS["2RO"]]]) {
+    const { page } = await openStill(t, { locale, viewport: LAPTOP, fragment });
+    assert.equal(await lines(verdict(page).locator(".saying")), 1, `${locale}, acceptable or not`);
+    await field(page, "base_radius").fill("-5");
+    await becomes(() => level(page), "stopped");
+    assert.equal(await lines(verdict(page).locator(".saying")), 1, `${locale}, stopped`);
+  }
+});
+
 /** Sections that lie over one another. @param {Page} page */
 const overlapping = (page) =>
   page.evaluate(() => {

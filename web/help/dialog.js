@@ -24,7 +24,7 @@ function create(context) {
   const { store, t } = context;
   const texts = createTexts(t);
   const heading = texts.text(h("h2", { id: "help-heading" }), "help.title");
-  const close = texts.text(h("button", { type: "button", autofocus: true }), "help.close");
+  const close = texts.text(h("button", { type: "button" }), "help.close");
   const tour = texts.text(h("button", { type: "button", class: "start-tour" }), "help.tour");
   const reading = h("ul", { class: "reading" }, link("manual-", "help.manual", "help.manual.hint"), link("", "help.theory", "help.theory.hint"), link("terms-", "help.terms", "help.terms.hint"));
   const words = {
@@ -52,7 +52,8 @@ function create(context) {
 
   /** @param {"" | "terms-" | "manual-"} page @param {string} label @param {string} hint */
   function link(page, label, hint) {
-    const anchor = texts.text(h("a", { target: "_blank", rel: "noopener" }), label);
+    // The first has the focus: with the last button, a phone would show the end of the window.
+    const anchor = texts.text(h("a", { target: "_blank", rel: "noopener", autofocus: page === "manual-" }), label);
     texts.also(() => (anchor.href = addressOf(`${page}${store.state.language}.html`)));
     return h("li", {}, anchor, " ", texts.text(h("span"), hint));
   }

@@ -9,8 +9,8 @@ import { roundLength } from "./view.js";
 
 /** Coils of the spring. */
 const COILS = 7;
-/** Longest scale bar, CSS pixels. */
-const SCALE_BAR = 110;
+/** Longest scale bar, in heights of the type: the shortest then holds its label, on the projector too. */
+const SCALE_BAR = 8.5;
 const SPOKES = 3;
 
 /**
@@ -76,7 +76,7 @@ export function drawSpring(pen, spring, height) {
  */
 export function drawScale(pen, report, format, height) {
   const { context, palette } = pen;
-  const length = roundLength(SCALE_BAR / pen.view.scale);
+  const length = roundLength((SCALE_BAR * palette.size) / pen.view.scale);
   const width = length * pen.view.scale;
   const y = height - 8;
   context.beginPath();
