@@ -82,8 +82,8 @@ test("axe finds nothing in the table of conditions and in Auto, and no target is
   /** @param {Page} page @param {string} selector */
   const small = (page, selector) =>
     page.locator(selector).evaluateAll((all) =>
-      all.filter((one) => one.checkVisibility()).map((one) => [one, one.getBoundingClientRect()]).filter(([, { width, height, right }]) => width < 23.9 || height < 23.9 || right > innerWidth)
-        .map(([one, { width, height }]) => `${one.getAttribute("aria-label") ?? one.textContent}: ${width}×${height}`));
+      all.filter((one) => one.checkVisibility()).map((one) => ({ one, rect: one.getBoundingClientRect() })).filter(({ rect }) => rect.width < 23.9 || rect.height < 23.9 || rect.right > innerWidth)
+        .map(({ one, rect: { width, height } }) => `${one.getAttribute("aria-label") ?? one.textContent}: ${width}×${height}`));
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: /** @type {const} */ ("dark"), locale: "es-ES" };
   for (const { say, ...options } of [{ say: en }, { ...phone, say: es }]) {
     const { page } = await openStill(t, { fragment: CONDITIONS, ...options });
