@@ -9,6 +9,7 @@ use levalab_core::{
     Analysis, Cam, Column, FindingKind, Follower, Level, Program, Rotation, Segment, smallest_base_radius,
 };
 use std::f64::consts::{PI, TAU};
+use support::classics::nine_rt;
 use support::{column, degrees, follower, lengths};
 
 /// Rounding of a printed figure that lies on the very edge of its last digit, as a part of the figure.
@@ -341,17 +342,7 @@ fn classic_6acpt_measures_the_same_across_every_diameter() {
 
 #[test]
 fn classic_9rt_swings_between_its_known_pressure_angles() {
-    let program = lengths(&[
-        ("modified-sine", 50.0, 10.0),
-        ("dwell", 40.0, 0.0),
-        ("cycloidal", 50.0, -10.0),
-        ("dwell", 40.0, 0.0),
-        ("polynomial-3-4-5", 50.0, 10.0),
-        ("dwell", 40.0, 0.0),
-        ("polynomial-4-5-6-7", 50.0, -10.0),
-        ("dwell", 40.0, 0.0),
-    ]);
-    let analysis = Analysis::of(&Cam::new(program, radial_roller(35.0, 7.0)), 720);
+    let analysis = Analysis::of(&nine_rt(), 720);
     assert_prints("φ min", analysis.summary.pressure_angle.min.to_degrees(), "-28.18");
     assert_prints("φ max", analysis.summary.pressure_angle.max.to_degrees(), "24.68");
     assert_eq!(analysis.level, Level::LowSpeed, "the jerk of three of its laws steps beside the dwells");

@@ -3,6 +3,7 @@
 // Each test target compiles this module for itself and uses its own part of it.
 #![allow(dead_code)]
 
+pub mod classics;
 pub mod gallery;
 pub mod random;
 

@@ -74,8 +74,7 @@ fn width_of(character: char) -> f64 {
     }
 }
 
-/// Least and greatest value of a quantity within `reach` degrees of θ, limits at joints included; looked at closely enough for half a
-/// wave in between.
+/// Least and greatest value of a quantity within `reach` degrees of θ, looked at closely enough for half a wave in between.
 fn around(quantity: Quantity, cam: &Cam, theta: f64, reach: f64) -> (f64, f64) {
     const PARTS: i32 = 64;
     let value = |motion: Svaj| match quantity {
@@ -89,6 +88,11 @@ fn around(quantity: Quantity, cam: &Cam, theta: f64, reach: f64) -> (f64, f64) {
     };
     let swings = cam.follower.kind.motion == Motion::Oscillating
         && !matches!(quantity, Quantity::PressureAngle | Quantity::Contact);
+    within(cam, theta, reach, PARTS, |motion| if swings { value(motion).to_degrees() } else { value(motion) })
+}
+
+/// Least and greatest of what follows from the motion within `reach` degrees of θ, limits at joints included: each stretch is looked at in as many parts.
+fn within(cam: &Cam, theta: f64, reach: f64, parts: i32, value: impl Fn(Svaj) -> f64) -> (f64, f64) {
     let (from, to) = ((theta - reach).to_radians(), (theta + reach).to_radians());
     let mut found = (f64::INFINITY, f64::NEG_INFINITY);
     for stretch in cam.program.stretches() {
@@ -96,9 +100,8 @@ fn around(quantity: Quantity, cam: &Cam, theta: f64, reach: f64) -> (f64, f64) {
         if from > to {
             continue;
         }
-        for i in 0..=PARTS {
-            let value = value(stretch.at(from + (to - from) * f64::from(i) / f64::from(PARTS)));
-            let value = if swings { value.to_degrees() } else { value };
+        for i in 0..=parts {
+            let value = value(stretch.at(from + (to - from) * f64::from(i) / f64::from(parts)));
             found = (found.0.min(value), found.1.max(value));
         }
     }
@@ -204,20 +207,7 @@ proptest! {
 
 fn around_bend(cam: &Cam, theta: f64, reach: f64, bend: impl Fn(f64) -> f64) -> (f64, f64) {
     const PARTS: i32 = 16;
-    let (from, to) = ((theta - reach).to_radians(), (theta + reach).to_radians());
-    let mut found = (f64::INFINITY, f64::NEG_INFINITY);
-    for stretch in cam.program.stretches() {
-        let (from, to) = (from.max(stretch.from), to.min(stretch.to));
-        if from > to {
-            continue;
-        }
-        for i in 0..=PARTS {
-            let motion = stretch.at(from + (to - from) * f64::from(i) / f64::from(PARTS));
-            let value = bend(cam.follower.profile_radius(cam.follower.contact(motion).bend));
-            found = (found.0.min(value), found.1.max(value));
-        }
-    }
-    found
+    within(cam, theta, reach, PARTS, |motion| bend(cam.follower.profile_radius(cam.follower.contact(motion).bend)))
 }
 
 /// Notes what is drawn and under which dashes.

@@ -1,4 +1,7 @@
-//! Drawings of known cams stay as they are. `UPDATE_GOLDEN=1` draws them anew, to be looked at before they are kept.
+//! Diagrams of known cams stay as they are.
+
+#[path = "../../../tests/support/golden.rs"]
+mod golden;
 
 #[path = "../../../tests/support/mod.rs"]
 mod support;
@@ -7,33 +10,14 @@ use levalab_chart::{Diagram, Quantity, Style, Timing, colour, svg};
 use levalab_core::application::Application;
 use levalab_core::{Analysis, Cam, Rotation};
 use std::f64::consts::{PI, TAU};
-use std::fs;
-use std::path::{Path, PathBuf};
-use support::{Row, degrees, follower, lengths};
+use support::classics::{nine_rt, two_ro};
+use support::{follower, lengths};
 
 /// Rows of an analysis, as the page asks for.
 const STEPS: usize = 720;
 
 /// Units of the drawing (an eighth of a pixel) by which a place may differ: sines are not the same on all machines.
 const TOLERANCE: f64 = 2.01;
-
-const NINE_RT: [Row; 8] = [
-    ("modified-sine", 50.0, 10.0),
-    ("dwell", 40.0, 0.0),
-    ("cycloidal", 50.0, -10.0),
-    ("dwell", 40.0, 0.0),
-    ("polynomial-3-4-5", 50.0, 10.0),
-    ("dwell", 40.0, 0.0),
-    ("polynomial-4-5-6-7", 50.0, -10.0),
-    ("dwell", 40.0, 0.0),
-];
-
-fn nine_rt() -> Cam {
-    Cam::new(
-        lengths(&NINE_RT),
-        follower("translating-roller", 35.0, &[("roller_radius", 7.0)], Rotation::CounterClockwise),
-    )
-}
 
 fn r1() -> Cam {
     let rows = [
@@ -59,12 +43,6 @@ fn r5() -> Cam {
 /// 390 rpm in rad/s.
 const R5_SPEED: f64 = 13.0 * PI;
 
-fn two_ro() -> Cam {
-    let rows = [("polynomial-4-5-6-7", 120.0, 10.0), ("dwell", 120.0, 0.0), ("polynomial-4-5-6-7", 120.0, -10.0)];
-    let given = [("roller_radius", 10.0), ("arm", 80.0), ("pivot_distance", 80.0)];
-    Cam::new(degrees(&rows), follower("oscillating-roller", 40.0, &given, Rotation::CounterClockwise))
-}
-
 fn style(curve: &str, dash: &[f64]) -> Style {
     let curve = colour(curve).expect("a colour");
     Style { curve, dash: dash.to_vec(), height: 110.0, x_labels: false, ..Style::default() }
@@ -76,21 +54,9 @@ fn compare(name: &str, quantity: Quantity, cam: &Cam, timing: Timing, style: &St
 
 fn check(name: &str, diagram: &Diagram, style: &Style) {
     let (drawn, _) = svg(diagram, style);
-    let path = folder().join(format!("{name}.svg"));
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        fs::write(&path, &drawn).expect("the drawing is kept");
-    }
-    let kept = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let kept = golden::kept(name, &drawn);
     let ((kept, kept_lines), (drawn, drawn_lines)) = (apart(&kept), apart(&drawn));
-    for (k, (old, new)) in kept.iter().zip(&drawn).enumerate() {
-        let same = match (old.parse::<f64>(), new.parse::<f64>()) {
-            (Ok(old), Ok(new)) => (old - new).abs() <= TOLERANCE,
-            _ => old == new,
-        };
-        let around = drawn[k.saturating_sub(20)..(k + 5).min(drawn.len())].concat();
-        assert!(same, "{name}: {old} has become {new} near: {around}");
-    }
-    assert_eq!(kept.len(), drawn.len(), "{name}: something was added or is missing at the end");
+    golden::assert_same(name, &kept, &drawn, TOLERANCE);
     for (old, new) in kept_lines.iter().zip(&drawn_lines) {
         assert!(strays(old, new) <= TOLERANCE && strays(new, old) <= TOLERANCE, "{name}: {old:?} has become {new:?}");
     }
@@ -104,7 +70,7 @@ fn apart(text: &str) -> (Vec<&str>, Vec<Vec<Place>>) {
         let number = |text: &str| text.parse::<f64>().expect("a number");
         let points = line.split_whitespace().filter_map(|point| point.split_once(','));
         lines.push(points.map(|(x, y)| (number(x), number(y))).collect());
-        rest.extend(pieces(after));
+        rest.extend(golden::pieces(after));
     }
     (rest, lines)
 }
@@ -124,23 +90,6 @@ fn distance((x, y): Place, from: Place, to: Place) -> f64 {
     let along = ((x - from.0) * dx + (y - from.1) * dy) / (dx * dx + dy * dy).max(f64::MIN_POSITIVE);
     let along = along.clamp(0.0, 1.0);
     (x - from.0 - along * dx).hypot(y - from.1 - along * dy)
-}
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/golden")
-}
-
-/// Numbers, and the text between them.
-fn pieces(text: &str) -> Vec<&str> {
-    let numeric = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
-    let mut pieces = Vec::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let end = rest.find(|c| numeric(c) != numeric(first)).unwrap_or(rest.len());
-        pieces.push(&rest[..end]);
-        rest = &rest[end..];
-    }
-    pieces
 }
 
 #[test]

@@ -1,38 +1,12 @@
 //! Speed of one whole analysis, beside a bare loop of sines of the same length.
 
+#[path = "../../../tests/support/mod.rs"]
+mod support;
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use levalab_core::{Analysis, Cam, Follower, FollowerKind, Program, Rotation, Segment, prescribe};
+use levalab_core::{Analysis, prescribe};
 use std::hint::black_box;
-
-/// Example 9RT: four laws, four dwells, radial roller.
-fn nine_rt() -> Cam {
-    let rows = [
-        ("modified-sine", 50.0, 10.0),
-        ("dwell", 40.0, 0.0),
-        ("cycloidal", 50.0, -10.0),
-        ("dwell", 40.0, 0.0),
-        ("polynomial-3-4-5", 50.0, 10.0),
-        ("dwell", 40.0, 0.0),
-        ("polynomial-4-5-6-7", 50.0, -10.0),
-        ("dwell", 40.0, 0.0),
-    ];
-    cam("translating-roller", 35.0, [7.0, 0.0, 0.0, 0.0], &rows)
-}
-
-/// Example 2RO: an oscillating roller.
-fn two_ro() -> Cam {
-    let rise = 10_f64.to_radians();
-    let rows = [("polynomial-4-5-6-7", 120.0, rise), ("dwell", 120.0, 0.0), ("polynomial-4-5-6-7", 120.0, -rise)];
-    cam("oscillating-roller", 40.0, [10.0, 80.0, 80.0, 0.0], &rows)
-}
-
-fn cam(kind: &str, base_radius: f64, values: [f64; 4], rows: &[(&str, f64, f64)]) -> Cam {
-    let segments: Vec<Segment> = rows.iter().filter_map(|&(id, beta, rise)| Segment::of(id, beta, rise)).collect();
-    let program = Program::new(&segments).expect("a program");
-    let kind = FollowerKind::by_id(kind).expect("a follower");
-    let follower = Follower::new(kind, base_radius, values, Rotation::CounterClockwise).expect("a follower");
-    Cam::new(program, follower)
-}
+use support::classics::{nine_rt, two_ro};
 
 fn analyze(c: &mut Criterion) {
     let mut group = c.benchmark_group("analyze");

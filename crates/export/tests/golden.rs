@@ -1,10 +1,11 @@
-//! Drawings of known cams stay as they are. `UPDATE_GOLDEN=1` draws them anew, to be looked at before they are kept.
+//! Drawings of known cams stay as they are.
+
+#[path = "../../../tests/support/golden.rs"]
+mod golden;
 
 use levalab_export::{CamDrawing, DiagramChoice, Keyway, Shaft, Subject, cam_svg, diagram_svg, png};
 use levalab_format::{Design, example};
 use levalab_words::Language;
-use std::fs;
-use std::path::Path;
 
 /// Drawings have three decimals; sines are not the same on all machines.
 const TOLERANCE: f64 = 0.0021;
@@ -17,34 +18,8 @@ fn drawn(design: &Design, language: Language, options: &CamDrawing) -> String {
 }
 
 fn compare(name: &str, drawn: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/golden").join(format!("{name}.svg"));
-    if std::env::var_os("UPDATE_GOLDEN").is_some() {
-        fs::write(&path, drawn).expect("the drawing is kept");
-    }
-    let kept = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    let (kept, drawn) = (pieces(&kept), pieces(drawn));
-    for (k, (old, new)) in kept.iter().zip(&drawn).enumerate() {
-        let same = match (old.parse::<f64>(), new.parse::<f64>()) {
-            (Ok(old), Ok(new)) => (old - new).abs() <= TOLERANCE,
-            _ => old == new,
-        };
-        let around = drawn[k.saturating_sub(20)..(k + 5).min(drawn.len())].concat();
-        assert!(same, "{name}: {old} has become {new} near: {around}");
-    }
-    assert_eq!(kept.len(), drawn.len(), "{name}: something was added or is missing at the end");
-}
-
-/// Numbers, and the text between them.
-fn pieces(text: &str) -> Vec<&str> {
-    let numeric = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
-    let mut pieces = Vec::new();
-    let mut rest = text;
-    while let Some(first) = rest.chars().next() {
-        let end = rest.find(|c| numeric(c) != numeric(first)).unwrap_or(rest.len());
-        pieces.push(&rest[..end]);
-        rest = &rest[end..];
-    }
-    pieces
+    let kept = golden::kept(name, drawn);
+    golden::assert_same(name, &golden::pieces(&kept), &golden::pieces(drawn), TOLERANCE);
 }
 
 #[test]
