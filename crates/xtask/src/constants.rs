@@ -178,3 +178,52 @@ impl Visitor<'_> for Numbers {
         self.insert(store.arg);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use walrus::{FunctionBuilder, ValType};
+
+    use super::*;
+
+    /// A module with a function that does nothing but name some numbers.
+    fn naming(numbers: &[i32]) -> (Module, FunctionId) {
+        let mut module = Module::default();
+        let mut builder = FunctionBuilder::new(&mut module.types, &[], &[ValType::I32]);
+        let mut body = builder.func_body();
+        for &number in numbers {
+            body.i32_const(number).drop();
+        }
+        body.i32_const(0);
+        let function = builder.finish(Vec::new(), &mut module.funcs);
+        (module, function)
+    }
+
+    fn unread(numbers: &[i32]) -> Vec<(u32, u32)> {
+        let constants = Constants {
+            places: vec![100..140, 140..150, 152..200, 200..210, 212..300],
+            named: HashMap::from([(100, HashSet::from([0])), (140, HashSet::from([0, 1])), (212, HashSet::from([4]))]),
+            pointed: HashMap::from([(4, HashSet::from([2]))]),
+        };
+        let (module, function) = naming(numbers);
+        constants.unread(&module, &[function]).into_iter().map(|stretch| (stretch.start, stretch.end)).collect()
+    }
+
+    #[test]
+    fn what_no_function_names_is_unread_in_one_stretch_with_the_gaps_between() {
+        assert_eq!(unread(&[7, 99, 300]), [(100, 300)]);
+    }
+
+    #[test]
+    fn what_is_named_or_pointed_to_is_read() {
+        assert_eq!(unread(&[100]), [(140, 300)]);
+        // Constant 4 points to 2; between them lies what is not worth a segment.
+        assert_eq!(unread(&[212]), [(100, 150)]);
+        // An address between two constants may belong to either.
+        assert_eq!(unread(&[140]), [(152, 300)]);
+    }
+
+    #[test]
+    fn what_the_linker_does_not_list_counts_as_read_where_it_lies() {
+        assert_eq!(unread(&[160]), [(100, 150), (200, 300)]);
+    }
+}

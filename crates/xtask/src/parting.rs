@@ -234,3 +234,39 @@ fn slots(module: &Module) -> Result<(TableId, i32)> {
     let table = module.tables.main_function_table()?.context("the module has no table of functions")?;
     Ok((table, module.tables.get(table).initial.try_into()?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_of_a_range_and_its_parts_cover_it() {
+        let left = |without: &[Range<u32>]| -> Vec<u32> { between(10..20, without).into_iter().flatten().collect() };
+        assert_eq!(left(&[]), (10..20).collect::<Vec<u32>>());
+        assert_eq!(left(&[10..12, 15..20]), [12, 13, 14]);
+        assert_eq!(left(&[11..12, 12..18]), [10, 18, 19]);
+    }
+
+    #[test]
+    fn each_byte_of_the_constants_is_in_one_part() -> Result<()> {
+        let whole = || {
+            let mut module = Module::default();
+            let memory = module.memories.add_local(false, false, 1, None, None);
+            for (start, bytes) in [(16, b"abcd"), (20, b"efgh"), (28, b"ijkl")] {
+                let offset = ConstExpr::Value(Value::I32(start));
+                let id = module.data.add(DataKind::Active { memory, offset }, bytes.to_vec());
+                module.memories.get_mut(memory).data_segments.insert(id);
+            }
+            module
+        };
+        let kept = |keep: &dyn Fn(Range<u32>) -> Vec<Range<u32>>| -> Result<Vec<u8>> {
+            let mut module = whole();
+            keep_constants(&mut module, keep)?;
+            Ok(module.data.iter().flat_map(|data| data.value.clone()).collect())
+        };
+        let late = [18..22, 30..32];
+        assert_eq!(kept(&|_| late.to_vec())?, b"cdefkl");
+        assert_eq!(kept(&|place| between(place, &late))?, b"abgh\0\0\0\0ij");
+        Ok(())
+    }
+}
