@@ -6,7 +6,7 @@
  */
 import { h, s } from "./dom.js";
 import * as library from "./pkg/examples.js";
-import { shelve } from "./shelf.js";
+import { named, shelve } from "./shelf.js";
 import { addStrings } from "./strings/index.js";
 import { examplesEn } from "./strings/examples.en.js";
 import { examplesEs } from "./strings/examples.es.js";
@@ -72,8 +72,9 @@ export function createGallery(context, check) {
   function show(example) {
     dialog.close();
     banner.hide();
-    const { design } = check(example.design);
-    if (!design) return;
+    const found = check(example.design).design;
+    if (!found) return;
+    const design = named(found, t);
     shelve(design);
     store.replace(design, t("edit.example", { name: example.id }));
     store.set({ cursor: 0 });

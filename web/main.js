@@ -15,7 +15,7 @@ import { firstDesign, keepLink } from "./link.js";
 import * as mechanism from "./mechanism.js";
 import { createFormat } from "./numbers.js";
 import * as readouts from "./readouts.js";
-import { shelve } from "./shelf.js";
+import { named, shelve } from "./shelf.js";
 import { say, speakIn } from "./signs.js";
 import { store } from "./store.js";
 import { createTranslate, learn } from "./strings/index.js";
@@ -42,7 +42,7 @@ try {
 
 async function start() {
   const [engine] = await Promise.all([startEngine({ language, restarted, completed }), learn(language())]);
-  const example = catalogue.first;
+  const example = named(catalogue.first, t);
   shelve(example);
 
   store.connect({

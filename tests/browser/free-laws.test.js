@@ -165,5 +165,7 @@ test("every editor of free data explains its term", async (t) => {
     const { page } = await openStill(t, { fragment: LINKS[name ?? ""] });
     await page.locator(`.program button[data-term="${term}"]`).first().click();
     await page.getByRole("dialog").waitFor();
+    // The card of a term that the page of terms has not is one sentence that leads nowhere.
+    assert.equal(await page.getByRole("dialog").getByRole("link").count(), 1, `${term} is not explained`);
   }
 });

@@ -61,7 +61,7 @@ test("a card shows the follower at hand with the magnitude lit, and its formula 
   await page.locator('button[data-term="pivot_distance"]').click();
   await card(page).waitFor();
   assert.equal(await card(page).locator("svg .lit[data-parameter='pivot_distance']").count(), 1);
-  assert((await card(page).locator("math").first().boundingBox())?.width ?? 0 > 5, "no formula is seen");
+  assert(((await card(page).locator("math").first().boundingBox())?.width ?? 0) > 5, "no formula is seen");
   const namespace = await card(page).locator("math").first().evaluate((node) => node.namespaceURI);
   assert.equal(namespace, "http://www.w3.org/1998/Math/MathML");
 });

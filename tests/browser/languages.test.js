@@ -168,3 +168,13 @@ test("no text is missing, and none is left in the other language", async (t) => 
   assert.deepEqual(spanish.filter((text) => /\p{L}{3}/u.test(text) && both.has(text) && !SHARED.test(text)), [], "the same in both languages");
   assert(spanish.some((text) => new RegExp(literal(es("segments.actions", { number: 1 }))).test(text)));
 });
+
+test("what the page brings along is named in its language: the first cam and the examples", async (t) => {
+  const { page } = await openStill(t, { locale: "es-ES" });
+  const title = page.getByRole("textbox", { name: es("header.title") });
+  assert.equal(await title.inputValue(), "Ejemplo 9RT");
+  await page.getByRole("button", { name: es("header.examples"), exact: true }).click();
+  await page.locator('[data-example="R5"]').click();
+  await becomes(() => title.inputValue(), "Ejemplo R5");
+  await becomes(() => fragment(page), /^1\.Ejemplo_R5\./);
+});

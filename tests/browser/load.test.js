@@ -70,8 +70,8 @@ test("what the first part cannot do waits for the rest, and is done then", async
   const rest = await withhold(page);
   await page.goto("about:blank");
   await page.goto(`${url}#${GAIT}`);
-  await page.waitForTimeout(300);
-  assert(rest.asked(), "a link asks for the rest at once");
+  await eventually(async () => rest.asked(), (asked) => assert(asked, "such a link asks for the rest at once"));
+  assert.equal(await page.evaluate(() => performance.getEntriesByName("levalab:drawn").length), 0, "drawn without what it needs");
   rest.release();
   await drawn(page);
   await becomes(() => page.title(), /^Example R6/);

@@ -19,6 +19,9 @@ export const STEPS = [
   ["share", "#header .share"],
 ];
 
+/** Between the ring and what it is about, CSS pixels. */
+const AROUND = 4;
+
 /** Stops the tour that is running. */
 let stop = () => {};
 
@@ -83,7 +86,10 @@ export async function startTour(context) {
   function place() {
     const rect = target()?.getBoundingClientRect();
     if (!rect) return;
-    Object.assign(ring.style, { left: `${rect.left}px`, top: `${rect.top}px`, width: `${rect.width}px`, height: `${rect.height}px` });
+    // Around it, where the window leaves room: over its edge the ring would cross the first letters.
+    const [left, top] = [Math.max(rect.left - AROUND, 1), Math.max(rect.top - AROUND, 1)];
+    const [right, bottom] = [Math.min(rect.right + AROUND, innerWidth - 1), Math.min(rect.bottom + AROUND, innerHeight - 1)];
+    Object.assign(ring.style, { left: `${left}px`, top: `${top}px`, width: `${right - left}px`, height: `${bottom - top}px` });
     beside(box, rect);
   }
 

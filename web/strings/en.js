@@ -3,6 +3,7 @@ export const en = {
 
   "app.tagline": "Plate cams, designed, analysed and seen turning",
   "app.design": "Design",
+  "app.example": "Example",
   "app.verdict": "Verdict",
   "app.untitled": "Untitled cam",
 

@@ -3,6 +3,7 @@ export const es = {
 
   "app.tagline": "Levas de placa: se diseñan, se analizan y se ven girar",
   "app.design": "Diseño",
+  "app.example": "Ejemplo",
   "app.verdict": "Veredicto",
   "app.untitled": "Leva sin título",
 
