@@ -10,9 +10,15 @@ import {
 /** More stops than the page has. */
 const MOST = 200;
 
+/**
+ * The page with the nodes met so far: what is loaded late may come between them, so their place in the document does not tell them.
+ * @typedef {Window & { met?: Element[] }} Met
+ */
+
 /** @param {Page} page */
 const focused = (page) =>
   page.evaluate(() => {
+    const met = (/** @type {Met} */ (window).met ??= []);
     const node = document.activeElement;
     if (!node || node === document.body) return null;
     const { left, top, right, bottom } = node.getBoundingClientRect();
@@ -25,7 +31,7 @@ const focused = (page) =>
       name: node.id || node.getAttribute("aria-label") || node.textContent?.trim() || node.tagName,
       ring,
       inWindow: box.left > -1 && box.top > -1 && box.right < innerWidth + 1 && box.bottom < innerHeight + 1,
-      index: [...document.querySelectorAll("*")].indexOf(node),
+      index: met.includes(node) ? met.indexOf(node) : met.push(node) - 1,
       size: [right - left, bottom - top],
     };
   });
@@ -33,12 +39,13 @@ const focused = (page) =>
 /** Everything that a Tab has to stop at: of a group of radios the chosen one. @param {Page} page */
 const stops = (page) =>
   page.evaluate(() => {
-    const all = [...document.querySelectorAll("*")];
-    return all.flatMap((node, index) => {
+    const met = (/** @type {Met} */ (window).met ??= []);
+    return [...document.querySelectorAll("*")].flatMap((node) => {
       if (!node.matches("button, input, select, textarea, summary, a[href], [tabindex]") || node.getAttribute("tabindex") === "-1") return [];
       if (/** @type {HTMLButtonElement} */ (node).disabled || node.closest("dialog:not([open]), [popover]:not(:popover-open), [hidden]") || !node.checkVisibility()) return [];
       if (node.closest("details:not([open])") && node.tagName !== "SUMMARY") return [];
       if (node instanceof HTMLInputElement && node.type === "radio" && !node.checked) return [];
+      const index = met.includes(node) ? met.indexOf(node) : met.push(node) - 1;
       return [{ index, name: node.id || node.getAttribute("aria-label") || node.textContent?.trim() || node.tagName }];
     });
   });
