@@ -70,6 +70,49 @@ function conditions(u, beta, start, end) {
   return list;
 }
 
+/** Inner places of a segment, apart from each other. @param {() => number} u @param {number} beta @param {number} count */
+const places = (u, beta, count) => Array.from({ length: count }, (_, k) => (beta * (k + 1 + 0.6 * (u() - 0.5))) / (count + 1));
+
+/**
+ * More conditions than the degree of a spline; at times with its knots, near the means of conditions that it would take.
+ * @param {() => number} u
+ * @param {number} beta
+ * @param {number} start
+ * @param {number} end
+ */
+function spline(u, beta, start, end) {
+  const degree = 4 + Math.floor(5 * u());
+  const ends = conditions(u, beta, start, end).filter(({ at }) => at === 0 || at === beta);
+  const inner = Math.max(0, degree + 1 - ends.length) + Math.floor(5 * u());
+  const list = [...ends, ...places(u, beta, inner).map((at) => ({ at, order: 0, value: 15 * u() }))].sort((a, b) => a.at - b.at || a.order - b.order);
+  const means = list.slice(1, list.length - degree).map((_, i) => list.slice(i + 1, i + 1 + degree).reduce((sum, { at }) => sum + at, 0) / degree);
+  const told = means.map((at, i) => at + 0.2 * (u() - 0.5) * ((means[i + 1] ?? beta) - at));
+  return { conditions: list, degree, ...(u() < 0.4 && told.length > 0 && { knots: told }) };
+}
+
+/**
+ * Measured points, half of them to be smoothed.
+ * @param {() => number} u
+ * @param {number} beta
+ * @param {number} start
+ * @param {number} end
+ */
+function table(u, beta, start, end) {
+  const inner = places(u, beta, 2 + Math.floor(8 * u())).map((at) => [at, 15 * u()]);
+  return { points: [[0, start], ...inner, [beta, end]], ...(u() < 0.5 && { smoothing: 0.001 + 0.02 * u() }) };
+}
+
+/** Formulas that lead from s₀ to s₀ + L, with a number of their own. @type {((a: string) => string)[]} */
+const FORMULAS = [
+  (a) => `s0 + L(x - sin(2π x)/(2π)) + ${a} sin(π x)^4`,
+  (a) => `s0 + L x^3 (10 - 15x + 6x^2) - ${a}x^2*(1 - x)^2`,
+  (a) => `s0 + L/2 (1 - cos(π x)) * exp(${a} x (1 - x))`,
+  (a) => `s0 + L (exp(${a}x) - 1)/(exp(${a}) - 1)`,
+  (a) => `s0 + L (sqrt(1 + ${a}x) - 1)/(sqrt(1 + ${a}) - 1)`,
+  (a) => `s0 + L ln(1 + ${a}x)/ln(1 + ${a}) + atan(θ (β - θ))`,
+  (a) => `s0 + L ((1 + θ/β)^(1 + x) - 1)/3 - ${a}x(1 - x)^3`,
+];
+
 /**
  * What a law takes besides β and L.
  * @param {() => number} u
@@ -92,6 +135,8 @@ function parameters(u, law, beta) {
  * @param {number} lift
  */
 function segments(u, lift) {
+  // A table of the whole turn joins itself.
+  if (u() < 0.1) return [{ law: "table", beta: 360, ...table(u, 360, 0, 0) }];
   const n = 2 + Math.floor(6 * u());
   const grid = u() < 0.5 ? 1 : 1000;
   const laws = [...FREE_LAWS, ...MATCHED_LAWS];
@@ -106,7 +151,10 @@ function segments(u, lift) {
     if ((MATCHED_LAWS.includes(law) && beside) || (law === "dwell" && last && height !== 0)) law = "cycloidal";
     const target = last ? 0 : law === "dwell" ? height : Math.round(lift * u() * 1000) / 1000;
     const own = parameters(u, law, beta);
-    if (law === "bezier") list.push({ law, beta, ordinates: [height, ...Array.from({ length: Math.floor(6 * u()) }, () => 15 * u()), target] });
+    if (law === "bspline") list.push({ law, beta, ...spline(u, beta, height, target) });
+    else if (law === "table") list.push({ law, beta, ...table(u, beta, height, target) });
+    else if (law === "formula") list.push({ law, beta, rise: target - height, expression: FORMULAS[Math.floor(FORMULAS.length * u())]((0.1 + 2 * u()).toFixed(3)) });
+    else if (law === "bezier") list.push({ law, beta, ordinates: [height, ...Array.from({ length: Math.floor(6 * u()) }, () => 15 * u()), target] });
     else if (law === "polynomial") list.push({ law, beta, conditions: conditions(u, beta, height, target) });
     else list.push({ law, beta, rise: target - height, ...own });
     [angle, height] = [angle + beta, target];

@@ -127,7 +127,7 @@ export function columns(design, samples) {
   const sense = cam.rotation === "clockwise" ? -1 : 1;
   const unit = follower.motion === "oscillating" ? RADIANS : 1;
   const touch = FOLLOWERS[`${follower.motion}-${follower.contact}`];
-  const at = motion(segments);
+  const at = motion(segments, follower.motion === "oscillating");
   /** @type {Record<string, number[]>} */
   const table = {};
   for (let row = 0; row <= samples; row++) {

@@ -1,5 +1,6 @@
 // Motion laws and programs from the formulas of textbooks, written a second time without a look at the core.
 // A state is [y, y′, y″, y‴]; laws are functions of x ∈ [0, 1), values on an inner joint being limits from the right.
+import { ABSOLUTE, polynomial } from "./free.mjs";
 
 /** @typedef {[number, number, number, number]} State */
 /** @typedef {{ law: string, beta: number, rise?: number, [parameter: string]: unknown }} Segment */
@@ -9,24 +10,6 @@ const TAU = 2 * PI;
 
 /** A place this close to a joint (parts of a segment) is on it. */
 const ON_A_JOINT = 1e-9;
-
-/**
- * A polynomial by its coefficients, constant term first.
- * @param {number[]} coefficients
- * @returns {(x: number) => State}
- */
-const polynomial = (coefficients) => (x) => {
-  /** @type {State} */
-  const state = [0, 0, 0, 0];
-  coefficients.forEach((c, k) => {
-    let factor = c;
-    for (let order = 0; order < 4 && order <= k; order++) {
-      state[order] += factor * x ** (k - order);
-      factor *= k - order;
-    }
-  });
-  return state;
-};
 
 /**
  * y(x) = 1 − y(1 − x): the second half of a law that is its own reverse.
@@ -127,68 +110,6 @@ const LAWS = {
   "half-cycloidal-end": (x) => [x + sin(PI * x) / PI, 1 + cos(PI * x), -PI * sin(PI * x), -(PI ** 2) * cos(PI * x)],
 };
 
-/**
- * The polynomial through a segment's conditions, by elimination in powers of x; in the units of the design, per radian.
- * @param {Segment} segment
- * @returns {(x: number) => State}
- */
-function throughConditions({ beta, conditions }) {
-  const radians = (beta * PI) / 180;
-  const list = /** @type {{ at: number, order: number, value: number }[]} */ (conditions);
-  const rows = list.map(({ at, order, value }) => {
-    const row = list.map((_, k) => {
-      let factor = k < order ? 0 : (at / beta) ** (k - order);
-      for (let i = 0; i < order; i++) factor *= k - i;
-      return factor;
-    });
-    return [...row, value * radians ** order];
-  });
-  const state = polynomial(eliminate(rows));
-  return (x) => /** @type {State} */ (state(x).map((value, order) => value / radians ** order));
-}
-
-/**
- * Gauss's elimination with the greatest pivot of each column; the last entry of a row is its right-hand side.
- * @param {number[][]} rows
- */
-function eliminate(rows) {
-  const n = rows.length;
-  for (let k = 0; k < n; k++) {
-    const pivot = rows.slice(k).reduce((best, row, i) => (Math.abs(row[k]) > Math.abs(rows[best][k]) ? k + i : best), k);
-    [rows[k], rows[pivot]] = [rows[pivot], rows[k]];
-    for (let i = 0; i < n; i++) {
-      if (i === k) continue;
-      const factor = rows[i][k] / rows[k][k];
-      for (let c = k; c <= n; c++) rows[i][c] -= factor * rows[k][c];
-    }
-  }
-  return rows.map((row, k) => row[n] / row[k]);
-}
-
-/**
- * Bézier's curve and its derivatives, from the differences of its ordinates.
- * @param {Segment} segment
- * @returns {(x: number) => State}
- */
-function bernstein({ beta, ordinates }) {
-  const radians = (beta * PI) / 180;
-  /** @param {number[]} points @param {number} x @returns {number} */
-  const at = (points, x) => (points.length === 1 ? points[0] : at(points.slice(1).map((next, i) => points[i] + x * (next - points[i])), x));
-  const orders = [/** @type {number[]} */ (ordinates)];
-  for (let order = 1; order < 4; order++) {
-    const before = orders[order - 1];
-    const degree = before.length - 1;
-    orders.push(degree > 0 ? before.slice(1).map((next, i) => degree * (next - before[i])) : [0]);
-  }
-  return (x) => /** @type {State} */ (orders.map((points, order) => at(points, x) / radians ** order));
-}
-
-/**
- * Laws that give s itself, above the base circle, and so say for themselves where they begin and end.
- * @type {Record<string, (segment: Segment) => (x: number) => State>}
- */
-const ABSOLUTE = { polynomial: throughConditions, bezier: bernstein };
-
 /** Laws that take their end conditions from their neighbours, with Hermite's closed forms of their coefficients. */
 const MATCHED = {
   /** @param {State} start @param {State} end */
@@ -233,30 +154,36 @@ const isMatched = (segment) => segment.law in MATCHED;
 /**
  * Displacement and derivatives per radian at any θ in degrees, limits from the right on joints.
  * @param {Segment[]} segments
+ * @param {boolean} [swings]  heights are degrees
  * @returns {(theta: number) => State}
  */
-export function motion(segments) {
+export function motion(segments, swings = false) {
   const starts = [0];
   const heights = [0];
-  const absolute = segments.map((segment) => ABSOLUTE[segment.law]?.(segment));
-  for (const [k, { beta, rise = 0 }] of segments.entries()) {
-    starts.push(starts[starts.length - 1] + beta);
-    heights.push(absolute[k]?.(1)[0] ?? heights[heights.length - 1] + rise);
+  /** @type {(((x: number) => State) | undefined)[]} */
+  const absolute = [];
+  const n = segments.length;
+  /** The derivatives per radian of a law of its own at x. @param {number} k @param {number} x @returns {State} */
+  const unit = (k, x) => {
+    const { law, beta, rise = 0 } = segments[k];
+    const radians = (beta * PI) / 180;
+    return /** @type {State} */ ((LAWS[law] ?? ARCS[law])(x, segments[k]).map((value, order) => (rise * value) / radians ** order));
+  };
+  /** Motion at an end of a neighbour, where it depends on nothing else. @param {number} k @param {number} x */
+  const edge = (k, x) => (segments[k].law in LAWS ? unit(k, x) : undefined);
+  for (const [k, segment] of segments.entries()) {
+    const { beta, rise = 0, law } = segment;
+    const around = { start: heights[k], before: edge((k + n - 1) % n, 1), after: edge((k + 1) % n, 0), alone: n === 1, swings };
+    absolute.push(ABSOLUTE[law]?.(segment, around));
+    starts.push(starts[k] + beta);
+    heights.push(absolute[k]?.(1)[0] ?? heights[k] + rise);
   }
   /** @param {number} k @param {number} x @returns {State} */
-  const free = (k, x) => {
-    const { law, beta, rise = 0 } = segments[k];
-    const own = absolute[k];
-    if (own) return own(x);
-    const radians = (beta * PI) / 180;
-    const unit = (LAWS[law] ?? ARCS[law])(x, segments[k]);
-    return /** @type {State} */ (unit.map((value, order) => (order === 0 ? heights[k] : 0) + (rise * value) / radians ** order));
-  };
+  const free = (k, x) => absolute[k]?.(x) ?? /** @type {State} */ (unit(k, x).map((value, order) => (order === 0 ? heights[k] : 0) + value));
   /** @param {number} k @param {number} x @returns {State} */
   const matched = (k, x) => {
     const segment = segments[k];
     if (!isMatched(segment)) return free(k, x);
-    const n = segments.length;
     const radians = (segment.beta * PI) / 180;
     /** @param {State} state @param {number} height @returns {State} */
     const inX = ([, v, a, j], height) => [height, v * radians, a * radians ** 2, j * radians ** 3];

@@ -14,7 +14,7 @@ export const freeEn = {
   "edit.points": "table",
   "edit.ordinates": "ordinates",
   "free.expression": "s of segment {number} =",
-  "free.expression.hint": "x = θ/β, θ from the start of the segment (rad), β, L (rise), s₀ (height before it), π, e; sin cos tan asin acos atan sinh cosh tanh exp ln log sqrt.",
+  "free.expression.hint": "x = θ/β, θ from the start of the segment (rad), β, L (rise), s₀ (height before it), π, e; sin cos tan asin acos atan sinh cosh tanh exp ln log sqrt. Where the follower swings, s, L and s₀ are in radians.",
   "free.points": "Points of segment {number}",
   "free.points.hint": "A line for each point: θ from the start of the segment, and s. Paste from a spreadsheet.",
   "free.ordinates": "Ordinates of segment {number}",

@@ -14,7 +14,7 @@ export const freeEs = {
   "edit.points": "tabla",
   "edit.ordinates": "ordenadas",
   "free.expression": "s del tramo {number} =",
-  "free.expression.hint": "x = θ/β, θ desde el inicio del tramo (rad), β, L (subida), s₀ (altura anterior), π, e; sin (o sen) cos tan asin acos atan sinh cosh tanh exp ln log sqrt.",
+  "free.expression.hint": "x = θ/β, θ desde el inicio del tramo (rad), β, L (subida), s₀ (altura anterior), π, e; sin (o sen) cos tan asin acos atan sinh cosh tanh exp ln log sqrt. Si el seguidor oscila, s, L y s₀ van en radianes.",
   "free.points": "Puntos del tramo {number}",
   "free.points.hint": "Una línea por punto: θ desde el inicio del tramo, y s. Se puede pegar de una hoja de cálculo.",
   "free.ordinates": "Ordenadas del tramo {number}",
