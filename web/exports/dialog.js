@@ -41,7 +41,7 @@ export function createExportDialog({ store, t, format, announce }) {
   const dialog = h("dialog", { class: "export-dialog", "aria-labelledby": heading.id }, heading, form);
 
   const kind = select("format", FORMATS, (value) => t(`export.format.${value}`));
-  const what = select("what", ["cam", "svaj", ...DIAGRAMS], (value) => (value === "cam" || value === "svaj" ? t(`export.what.${value}`) : sentence(t(`diagram.name.${value}`))));
+  const what = select("what", ["cam", "svaj", ...DIAGRAMS, "application"], (value) => (["cam", "svaj", "application"].includes(value) ? t(`export.what.${value}`) : sentence(t(`diagram.name.${value}`))));
   const table = select("table", TABLES, (value) => t(`export.table.${value}`));
   const step = select("step", STEPS, (value) => format.number(Number(value), { unit: "°" }));
   const separator = select("separator", ["comma", "semicolon"], (value) => t(`export.separator.${value}`));
@@ -103,7 +103,8 @@ export function createExportDialog({ store, t, format, announce }) {
     for (const { unit } of [thickness, bore, keyWidth, keyDepth]) unit.textContent = report.units.length;
     if (thickness.input.value === "") thickness.input.value = fieldText(Number(usualThickness(store.lastGood()).toPrecision(2)), language);
     for (const option of what.options) if (option.value === "contact") option.hidden = !report.summary.contact;
-    for (const option of table.options) if (option.value === "application") option.hidden = !store.lastGood().application;
+    for (const option of [...what.options, ...table.options]) if (option.value === "application") option.hidden = !store.lastGood().application;
+    if (what.selectedOptions[0]?.hidden) what.value = "cam";
     if (table.selectedOptions[0]?.hidden) table.value = "everything";
     separator.value = language === "es" ? "semicolon" : "comma";
     arrange();

@@ -14,6 +14,7 @@ export const exportsEn = {
   "export.what": "Of what",
   "export.what.cam": "Cam and follower, to scale",
   "export.what.svaj": "Diagrams s, v, a, j",
+  "export.what.application": "What the follower drives",
   "export.table": "Table",
   "export.table.everything": "Everything by angle",
   "export.table.design": "Design",

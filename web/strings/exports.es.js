@@ -14,6 +14,7 @@ export const exportsEs = {
   "export.what": "De qué",
   "export.what.cam": "Leva y seguidor, a escala",
   "export.what.svaj": "Diagramas s, v, a, j",
+  "export.what.application": "Lo que mueve el seguidor",
   "export.table": "Tabla",
   "export.table.everything": "Todo según el ángulo",
   "export.table.design": "Diseño",

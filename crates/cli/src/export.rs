@@ -31,7 +31,7 @@ pub struct Options {
     /// SVG and PNG: a diagram instead of the cam.
     #[arg(long, value_parser = PossibleValuesParser::new(DiagramChoice::all().into_iter().map(DiagramChoice::name)))]
     diagram: Option<String>,
-    /// SVG and PNG: derivatives by time and not by angle.
+    /// SVG and PNG: derivatives by time and not by angle; what an application gives, against time.
     #[arg(long)]
     per_second: bool,
     /// PNG: width in pixels.

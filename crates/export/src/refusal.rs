@@ -46,6 +46,8 @@ pub enum Refusal {
     NoShaft,
     /// Only a flat face has a contact that walks along it.
     NoSuchDiagram,
+    /// The diagram of an application that the design does not have.
+    NoApplication,
     /// Another writer gave up.
     Failed {
         /// What it said.
@@ -115,6 +117,12 @@ impl Refusal {
             (Language::En, Self::NoShaft) => "A cam that travels has no shaft.".to_owned(),
             (Language::Es, Self::NoShaft) => "Una leva de traslación no tiene eje.".to_owned(),
             (Language::En, Self::NoSuchDiagram) => "Only on a flat face does the contact walk.".to_owned(),
+            (Language::En, Self::NoApplication) => {
+                "The design has no application, so there is nothing to draw of one.".to_owned()
+            }
+            (Language::Es, Self::NoApplication) => {
+                "El diseño no tiene aplicación, así que no hay ninguna que dibujar.".to_owned()
+            }
             (Language::Es, Self::NoSuchDiagram) => "El contacto solo se desplaza sobre una cara plana.".to_owned(),
             (Language::En, Self::Failed { said }) => format!("The file could not be made: {said}."),
             (Language::Es, Self::Failed { said }) => format!("No se ha podido hacer el archivo: {said}."),
@@ -129,7 +137,7 @@ impl Refusal {
             Self::NotPositive { what, .. } => Some(what),
             Self::KeywayTooWide { .. } => Some("keyway"),
             Self::NoRoom { .. } | Self::NoShaft => Some("bore"),
-            Self::NoSuchDiagram => Some("diagram"),
+            Self::NoSuchDiagram | Self::NoApplication => Some("diagram"),
             Self::NotSolid { .. } | Self::Failed { .. } => None,
         }
     }

@@ -3,7 +3,7 @@
 #[path = "../../../tests/support/golden.rs"]
 mod golden;
 
-use levalab_export::{CamDrawing, DiagramChoice, Keyway, Shaft, Subject, cam_svg, diagram_svg, png};
+use levalab_export::{CamDrawing, DiagramChoice, Keyway, Refusal, Shaft, Subject, cam_svg, diagram_svg, png};
 use levalab_format::{Design, example};
 use levalab_words::Language;
 
@@ -56,8 +56,8 @@ fn a_title_is_text_in_every_drawing() {
 
 #[test]
 fn a_picture_is_as_wide_as_it_was_asked_to_be_and_not_empty() {
-    let design = example("9RT").expect("9RT");
-    let cam = design.cam().expect("9RT");
+    let design = example("R6").expect("R6");
+    let cam = design.cam().expect("R6");
     let subject = Subject { design: &design, cam: &cam, second: None, language: Language::Es };
     let made: Vec<_> = DiagramChoice::all().into_iter().map(|choice| diagram_svg(&subject, choice, true)).collect();
     assert_eq!(made.iter().filter(|made| made.is_err()).count(), 1, "a roller has no contact that walks");
@@ -69,4 +69,20 @@ fn a_picture_is_as_wide_as_it_was_asked_to_be_and_not_empty() {
         assert!(bytes.len() > 6_000, "there is next to nothing on it: {} bytes", bytes.len());
     }
     assert!(png("no drawing", 100).is_err());
+}
+
+#[test]
+fn what_the_follower_drives_is_drawn_with_the_points_to_hit_by_angle_or_against_time() {
+    let of = |name: &str, per_second: bool| {
+        let design = example(name).expect(name);
+        let cam = design.cam().expect(name);
+        let subject = Subject { design: &design, cam: &cam, second: None, language: Language::En };
+        diagram_svg(&subject, DiagramChoice::Application, per_second)
+    };
+    let (by_angle, by_time) = (of("R6", false).expect("R6"), of("R6", true).expect("R6"));
+    for said in [">F</tspan> force (lbf)", ">p</tspan> pressure (psi)", "126.2"] {
+        assert!(by_angle.contains(said) && by_time.contains(said), "{said}");
+    }
+    assert!(by_angle.contains("360°") && !by_time.contains('°'), "seconds are no degrees");
+    assert_eq!(of("9RT", false), Err(Refusal::NoApplication));
 }

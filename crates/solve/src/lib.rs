@@ -17,6 +17,7 @@
 //!
 //! Not here: the theory behind it, which is `levalab-theory`, and what is drawn.
 
+mod application;
 mod board;
 mod contact;
 mod curve;
@@ -126,6 +127,7 @@ pub fn solve(worked: &Worked, request: &Request) -> Document {
     }
     substitution::write(&mut board, &place);
     if request.segment.is_none() {
+        application::write(&mut board, &place);
         sizing::write(&mut board);
         verdict::write(&mut board);
     }

@@ -83,6 +83,28 @@ fn r6_finds_its_six_coefficients_and_its_extremes() {
 }
 
 #[test]
+fn r6_tells_the_force_on_the_heel_and_the_error_at_each_measured_point() {
+    let text = solution("R6", &request(Language::En));
+    holds(
+        "R6",
+        &text,
+        &[
+            "What the follower drives: force of a piston on enclosed fluid",
+            "A_{\\mathrm{p}} = \\pi r^{2} = \\pi \\cdot 0.75^{2} = 1.7671\\,\\mathrm{in^2}",
+            "K = k_{\\mathrm{V}} A_{\\mathrm{p}}^{2} = 30 \\cdot 1.76715^{2} = 93.684\\,\\mathrm{lbf/in}",
+            "126.163\\,\\mathrm{lbf}",
+            "*Points to hit*",
+            "| $56.88^\\circ$ | $0.079002$ | $110.27$ | $110.266$ |",
+        ],
+    );
+    holds(
+        "R6",
+        &solution("R6", &request(Language::Es)),
+        &["Lo que mueve el seguidor", "Puntos que alcanzar", "126{,}163"],
+    );
+}
+
+#[test]
 fn r2_r3_and_r5_give_the_figures_that_the_books_misprint() {
     let at = |theta: f64| Request { theta: Some(theta), ..request(Language::En) };
     holds("R2", &solution("R2", &at(120.0)), &["\\varphi = 26.24^\\circ", "0.16\\,\\mathrm{m/s}", "0.076394"]);

@@ -11,6 +11,7 @@ pub const APPLICATION: Application = Application {
         symbol: "F",
         magnitude: Magnitude::Force,
         law: OutputLaw::OfDisplacement(|&[stiffness, ..], s| stiffness * s),
+        formula: "K s",
         strokes: false,
     }],
     figures: &[],

@@ -88,6 +88,8 @@ pub struct Output {
     pub magnitude: Magnitude,
     /// What it depends on.
     pub law: OutputLaw,
+    /// The same as books write it, of the symbols of parameters and figures, *s* and V.
+    pub formula: &'static str,
     /// True for what is drawn in and delivered stroke by stroke, so that the sum of its rises over a cycle is worth telling.
     pub strokes: bool,
 }
@@ -112,6 +114,8 @@ pub struct Figure {
     pub magnitude: Magnitude,
     /// Its value.
     pub of: fn(&ApplicationValues) -> f64,
+    /// The same as books write it, of the symbols of parameters and of the figures before it.
+    pub formula: &'static str,
 }
 
 impl Application {
@@ -185,6 +189,9 @@ fn disc(radius: f64) -> f64 {
 /// The radius of a piston.
 const PISTON_RADIUS: Setting =
     Setting { key: "piston_radius", symbol: "r", magnitude: Magnitude::Length, default: None };
+
+/// Its area, as books write it.
+const PISTON_AREA: &str = "π r^2";
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
 //! The force of a piston on fluid that is shut in.
 
-use super::{Application, Figure, Magnitude, Output, OutputLaw, PISTON_RADIUS, Setting, disc};
+use super::{Application, Figure, Magnitude, Output, OutputLaw, PISTON_AREA, PISTON_RADIUS, Setting, disc};
 
 /// The piston drives in a volume A·s; the pressure rises by P/V for each unit of it, so p = (P/V)·A·s, and the force is
 /// F = p·A = K·s with K = (P/V)·A². Fluid and vessel are taken together in P/V, and inertia and leaks are left out.
@@ -16,6 +16,7 @@ pub const APPLICATION: Application = Application {
             symbol: "F",
             magnitude: Magnitude::Force,
             law: OutputLaw::OfDisplacement(|values, s| stiffness(values) * s),
+            formula: "K s",
             strokes: false,
         },
         Output {
@@ -23,12 +24,19 @@ pub const APPLICATION: Application = Application {
             symbol: "p",
             magnitude: Magnitude::Pressure,
             law: OutputLaw::OfDisplacement(|&[ratio, radius], s| ratio * disc(radius) * s),
+            formula: "k_V A_p s",
             strokes: false,
         },
     ],
     figures: &[
-        Figure { id: "piston_area", symbol: "A", magnitude: Magnitude::Area, of: |&[_, radius]| disc(radius) },
-        Figure { id: "stiffness", symbol: "K", magnitude: Magnitude::Stiffness, of: stiffness },
+        Figure {
+            id: "piston_area",
+            symbol: "A",
+            magnitude: Magnitude::Area,
+            of: |&[_, radius]| disc(radius),
+            formula: PISTON_AREA,
+        },
+        Figure { id: "stiffness", symbol: "K", magnitude: Magnitude::Stiffness, of: stiffness, formula: "k_V A_p^2" },
     ],
 };
 

@@ -21,6 +21,7 @@ pub const APPLICATION: Application = Application {
         symbol: "Av",
         magnitude: Magnitude::Area,
         law: OutputLaw::OfDisplacement(curtain),
+        formula: "π s cos(β) (d + s sin(β) cos(β))",
         strokes: false,
     }],
     figures: &[],
