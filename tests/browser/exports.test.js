@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { LINKS, becomes, en, es, openStill } from "./user.js";
+import { LINKS, becomes, en, es, openExample, openStill } from "./user.js";
 import { exportsEn } from "../../web/strings/exports.en.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -37,6 +37,18 @@ async function exported(page, format, choices = {}, say = en) {
   await dialog.waitFor({ state: "hidden" });
   return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
 }
+
+test("what the follower drives is drawn for a design that drives something, and not offered for another", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const dialog = await openExports(page);
+  await dialog.locator("#export-format").selectOption("svg");
+  const option = dialog.locator('#export-what option[value="application"]');
+  assert.equal(await option.evaluate((one) => /** @type {HTMLOptionElement} */ (one).hidden), true);
+  await page.keyboard.press("Escape");
+  await openExample(page, "R6");
+  const svg = (await exported(page, "svg", { what: "application" })).bytes.toString();
+  for (const said of ["force (lbf)", "pressure (psi)"]) assert(svg.includes(said), said);
+});
 
 test("every kind of file comes out of the page", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
