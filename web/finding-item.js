@@ -78,7 +78,7 @@ export function createFindingItem({ store, t, format }, cured) {
       const same = what?.message === next.message && what.cam === next.cam && what.severity === next.severity && what.theta === next.theta && what.places.join() === next.places.join();
       what = next;
       if (same) return;
-      write(sentence, next.cam === null ? next.message : t("verdict.cam", { number: next.cam, text: next.message }));
+      write(sentence, next.cam === undefined ? next.message : t("verdict.cam", { number: next.cam, text: next.message }));
       root.classList.toggle("tolerated", next.severity === "acceptable");
       sentence.title = t("verdict.see", { angle: placeText(format, store.state.report, next.theta) });
       const several = next.places.length > 1 ? next.places : [];

@@ -267,7 +267,7 @@ export interface Cure {
 
 export interface Finding {
   /** Which cam of a pair, 1 or 2. */
-  cam: number | null;
+  cam?: number;
   code: string;
   severity: Level;
   theta: number;
@@ -288,7 +288,7 @@ export interface Report {
   span: number;
   travels: boolean;
   /** On both cams of a pair; `cam` is whose headline it is. */
-  verdict: { level: Level; headline: string; cam: number | null; findings: Finding[] };
+  verdict: { level: Level; headline: string; cam?: number; findings: Finding[] };
   summary: Partial<Record<Diagram | "V" | "A" | "J" | "rho_pitch" | "breadth", Range>>;
   /** The sharpest convex place of the profile; null where nothing is convex. */
   least_convex: { value: number; at: number } | null;

@@ -150,14 +150,14 @@ export function mount(root, context) {
   /**
    * A headline's judgement, up to its colon, and its reason, with the cam of a pair that it is about.
    * @param {string} headline
-   * @param {number | null} cam
+   * @param {number | undefined} cam
    * @returns {[string, string]}
    */
   function parted(headline, cam) {
     const end = headline.indexOf(":") + 1;
     if (end === 0) return [headline, ""];
     const reason = headline.slice(end).trim();
-    return [headline.slice(0, end), cam === null ? reason : t("verdict.cam", { number: cam, text: reason })];
+    return [headline.slice(0, end), cam === undefined ? reason : t("verdict.cam", { number: cam, text: reason })];
   }
 
   word.tabIndex = -1;

@@ -3,15 +3,15 @@
 use crate::failure::Failure;
 use crate::input::Cams;
 use levalab_core::{Analysis, Cam, Column};
-use levalab_format::report::{self, DesignFinding, Report, level_name};
-use levalab_format::{ApplicationDesign, Design, DesignCure, Edit, Outcome, Target};
+use levalab_format::report::{self, DesignFinding, Report};
+use levalab_format::{ApplicationDesign, Design, DesignCure, Outcome, Target, ToldCure, ToldFinding, ToldVerdict};
 use levalab_words::Language;
 use serde::{Serialize, Serializer};
 use std::fmt::Write;
 
 #[derive(Serialize)]
 struct Answer {
-    verdict: Verdict,
+    verdict: ToldVerdict<Found>,
     summary: InOrder<report::Range>,
     columns: InOrder<Vec<f64>>,
     /// The second cam of a pair.
@@ -54,30 +54,11 @@ struct Hit {
 }
 
 #[derive(Serialize)]
-struct Verdict {
-    level: &'static str,
-    headline: String,
-    findings: Vec<Found>,
-}
-
-#[derive(Serialize)]
 struct Found {
-    code: &'static str,
-    severity: &'static str,
-    theta: f64,
-    interval: Option<[f64; 2]>,
-    places: Vec<f64>,
-    value: Option<f64>,
-    limit: Option<f64>,
-    message: String,
-    cure: Option<Cured>,
-    cures: Vec<Cured>,
-}
-
-#[derive(Clone, Serialize)]
-struct Cured {
-    message: String,
-    edits: Vec<Edit>,
+    #[serde(flatten)]
+    told: ToldFinding,
+    cure: Option<ToldCure>,
+    cures: Vec<ToldCure>,
 }
 
 /// An object whose fields keep their order.
@@ -101,12 +82,8 @@ fn answer(design: &Design, cam: &Cam, samples: usize, language: Language) -> Ans
     let analysis = Analysis::of(cam, samples);
     let report = Report::of(design, cam, &analysis);
     let cures = levalab_format::cures(design, cam, &analysis);
-    let findings = report.findings.iter().zip(&cures).map(|(finding, cures)| found(design, finding, cures, language));
-    let verdict = Verdict {
-        level: level_name(report.level),
-        headline: levalab_words::headline(language, &report),
-        findings: findings.collect(),
-    };
+    let findings = report.findings.iter().zip(cures).map(|(finding, cures)| found(design, finding, cures, language));
+    let verdict = ToldVerdict::new(report.level, levalab_words::headline(language, &report), findings.collect());
     let columns = InOrder(report::columns(design, &analysis));
     Answer { verdict, summary: InOrder(report.summary), columns, conjugate: None, application: None }
 }
@@ -166,22 +143,12 @@ fn named(columns: Vec<(&str, Vec<f64>)>, prefix: &str) -> Vec<(String, Vec<f64>)
     columns.into_iter().map(|(name, values)| (format!("{prefix}{name}"), values)).collect()
 }
 
-fn found(design: &Design, finding: &DesignFinding, cures: &[DesignCure], language: Language) -> Found {
-    let told = |cure: &DesignCure| Cured {
-        message: levalab_words::cure(language, design, finding, &cure.remedy),
-        edits: cure.edits.clone(),
+fn found(design: &Design, finding: &DesignFinding, cures: Vec<DesignCure>, language: Language) -> Found {
+    let told = |cure: DesignCure| {
+        let message = levalab_words::cure(language, design, finding, &cure.remedy);
+        ToldCure::new(cure, message)
     };
-    let cures: Vec<Cured> = cures.iter().map(told).collect();
-    Found {
-        code: finding.kind.code(),
-        severity: level_name(finding.level),
-        theta: finding.theta,
-        interval: finding.interval,
-        places: finding.places.clone(),
-        value: finding.value,
-        limit: finding.limit,
-        message: levalab_words::finding(language, design, finding),
-        cure: cures.first().cloned(),
-        cures,
-    }
+    let cures: Vec<ToldCure> = cures.into_iter().map(told).collect();
+    let told = ToldFinding::new(finding, levalab_words::finding(language, design, finding));
+    Found { told, cure: cures.first().cloned(), cures }
 }

@@ -44,6 +44,7 @@ mod read;
 pub mod report;
 #[cfg(any(test, feature = "testing"))]
 pub mod testing;
+mod told;
 mod units;
 mod write;
 
@@ -61,5 +62,6 @@ pub use marks::{Mark, MarkKind, marks};
 pub use notation::Notation;
 pub use pair::{Conjugate, Room};
 pub use path::{Path, PathPart, quoted};
+pub use told::{ToldCure, ToldFinding, ToldVerdict};
 pub use units::{LengthUnit, SpeedUnit};
 pub use write::FORMAT;

@@ -2,10 +2,12 @@
 
 use crate::lab::Current;
 use levalab_core::{Body, Cam, Column, Element, Segment, angle_between};
-use levalab_format::report::{Range, degrees, level_name, scale_of};
-use levalab_format::{Design, DesignCure, Edit, Notation, link};
+use levalab_format::report::{Range, degrees, scale_of};
+use levalab_format::{Design, DesignCure, Notation, ToldCure, ToldFinding, ToldVerdict, link};
 use levalab_words::{Language, Signs};
 use serde::{Serialize, Serializer};
+
+type Verdict = ToldVerdict<ToldFinding>;
 
 /// The answer to a good design.
 #[derive(Serialize)]
@@ -52,36 +54,6 @@ struct PageSegment {
     law: &'static str,
     beta: f64,
     rise: f64,
-}
-
-#[derive(Serialize)]
-struct Verdict {
-    level: &'static str,
-    headline: String,
-    /// Which cam of a pair the headline is about, 1 or 2.
-    cam: Option<u8>,
-    findings: Vec<PageFinding>,
-}
-
-#[derive(Serialize)]
-struct PageFinding {
-    /// Which cam of a pair it is about, 1 or 2.
-    cam: Option<u8>,
-    code: &'static str,
-    severity: &'static str,
-    theta: f64,
-    interval: Option<[f64; 2]>,
-    places: Vec<f64>,
-    value: Option<f64>,
-    limit: Option<f64>,
-    message: String,
-}
-
-/// A cure: a sentence and what it changes.
-#[derive(Serialize)]
-pub struct PageCure {
-    message: String,
-    edits: Vec<Edit>,
 }
 
 /// A value and where it is.
@@ -137,8 +109,8 @@ impl PageReport {
     /// Everything the page shows of a cam, or of both cams of a pair, but for columns and cures. The verdict is on both.
     pub fn of(first: &Current, second: Option<&Current>, language: Language) -> Self {
         let link = link::encode(&first.design).unwrap_or_default();
-        let Some(second) = second else { return Self::of_one(first, link, Verdict::of(first, None, language)) };
-        let verdict = |current: &Current, number: u8| Verdict::of(current, Some(number), language);
+        let Some(second) = second else { return Self::of_one(first, link, verdict_of(first, None, language)) };
+        let verdict = |current: &Current, number: u8| verdict_of(current, Some(number), language);
         let mut both = verdict(first, 1);
         let theirs = verdict(second, 2);
         if second.report.level > first.report.level {
@@ -217,39 +189,28 @@ fn summary(current: &Current) -> Vec<(&'static str, Range)> {
 }
 
 /// The cures of every finding, in the order of the findings.
-pub fn cures(current: &Current, language: Language) -> Vec<Vec<PageCure>> {
+pub fn cures(current: &Current, language: Language) -> Vec<Vec<ToldCure>> {
     let Current { design, cam, analysis, report } = current;
     let of_finding = |(finding, cures): (_, Vec<DesignCure>)| {
-        let told = |cure: DesignCure| PageCure {
-            message: levalab_words::cure(language, design, finding, &cure.remedy),
-            edits: cure.edits,
+        let told = |cure: DesignCure| {
+            let message = levalab_words::cure(language, design, finding, &cure.remedy);
+            ToldCure::new(cure, message)
         };
         cures.into_iter().map(told).collect()
     };
     report.findings.iter().zip(levalab_format::cures(design, cam, analysis)).map(of_finding).collect()
 }
 
-impl Verdict {
-    fn of(current: &Current, cam: Option<u8>, language: Language) -> Self {
-        let Current { design, report, .. } = current;
-        let findings = report.findings.iter().map(|finding| PageFinding {
-            cam,
-            code: finding.kind.code(),
-            severity: level_name(finding.level),
-            theta: finding.theta,
-            interval: finding.interval,
-            places: finding.places.clone(),
-            value: finding.value,
-            limit: finding.limit,
-            message: levalab_words::finding(language, design, finding),
-        });
-        Self {
-            level: level_name(report.level),
-            headline: levalab_words::headline(language, report),
-            cam,
-            findings: findings.collect(),
-        }
-    }
+fn verdict_of(current: &Current, cam: Option<u8>, language: Language) -> Verdict {
+    let Current { design, report, .. } = current;
+    let findings = report.findings.iter().map(|finding| {
+        let message = levalab_words::finding(language, design, finding);
+        let mut told = ToldFinding::new(finding, message);
+        told.cam = cam;
+        told
+    });
+    let headline = levalab_words::headline(language, report);
+    Verdict { cam, ..ToldVerdict::new(report.level, headline, findings.collect()) }
 }
 
 fn as_map<T: Copy + Serialize, S: Serializer>(ranges: &[(&'static str, T)], serializer: S) -> Result<S::Ok, S::Error> {
