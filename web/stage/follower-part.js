@@ -4,7 +4,7 @@
  * @import { Lab, Report } from "../types.d.ts"
  * @import { Box } from "./view.js"
  */
-import { AT, newInstant } from "./instant.js";
+import { AT, newInstant, value } from "./instant.js";
 import { bar, disc, hatch, mushroom, polygon, rectangle } from "./shapes.js";
 import { include } from "./view.js";
 
@@ -74,12 +74,6 @@ export function extremes(report, lab) {
     return at;
   });
 }
-
-/**
- * @param {Float64Array} at
- * @param {number} place
- */
-const value = (at, place) => /** @type {number} */ (at[place]);
 
 /**
  * @param {Report} report

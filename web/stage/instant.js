@@ -17,6 +17,13 @@ const LENGTH = 22;
 /** @returns {Float64Array} */
 export const newInstant = () => new Float64Array(LENGTH);
 
+/**
+ * A number of an array at a place that it is known to have.
+ * @param {Float64Array} at
+ * @param {number} place
+ */
+export const value = (at, place) => /** @type {number} */ (at[place]);
+
 /** @typedef {{ values: Float64Array, cursor: number, report: Report | null, lab: Lab | null }} Kept  of each cam of a pair */
 
 /** @type {WeakMap<Store, [Kept, Kept]>} */

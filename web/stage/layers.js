@@ -4,7 +4,7 @@
  * @import { Report } from "../types.d.ts"
  * @import { Pen } from "./pen.js"
  */
-import { AT } from "./instant.js";
+import { AT, value } from "./instant.js";
 
 /** Names of the layers in the order of their menu, with what they show before anyone chooses. */
 export const LAYERS = Object.freeze({ base: true, prime: true, pitch: true, axes: true, normal: true, osculating: false, stations: false });
@@ -142,9 +142,3 @@ export function drawOsculating(pen, at) {
   pen.segment(ox, oy, cx, cy);
   pen.dot(ox, oy, 3, pen.palette.rho);
 }
-
-/**
- * @param {Float64Array} at
- * @param {number} place
- */
-const value = (at, place) => /** @type {number} */ (at[place]);

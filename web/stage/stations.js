@@ -4,7 +4,7 @@
  * @import { Lab, Report } from "../types.d.ts"
  * @import { Pen } from "./pen.js"
  */
-import { AT, newInstant } from "./instant.js";
+import { AT, newInstant, value } from "./instant.js";
 
 /** Stations of a turn: every 15°. */
 const COUNT = 24;
@@ -112,9 +112,3 @@ export function drawStations(pen, stations, angle, shift) {
     pen.text(String(k), pen.x(x * c - y * s - shift), pen.y(x * s + y * c), palette.muted);
   }
 }
-
-/**
- * @param {Float64Array} at
- * @param {number} place
- */
-const value = (at, place) => /** @type {number} */ (at[place]);
