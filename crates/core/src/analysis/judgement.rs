@@ -1,0 +1,163 @@
+//! What is wrong with a cam, and where.
+
+use super::Summary;
+use crate::extreme::{extremes, intervals};
+use crate::interference::{arm_cut, crossing};
+use crate::samples::{Quantity, Samples};
+use crate::{Body, Cam, Closure, Extremes, Finding, FindingKind, Joint, Level, Program};
+use std::f64::consts::TAU;
+
+/// |φ| may pass its limit by this much (radians), which is rounding: a cure that is solved for lands on the limit.
+const ANGLE_TOLERANCE: f64 = 1e-9;
+
+/// ρ this small beside the base radius is a cusp; so is a cam that a cure has brought to the edge.
+const CUSP_TOLERANCE: f64 = 1e-9;
+
+/// How far below the base circle rounding may take the follower, as a part of its whole travel.
+const BELOW_TOLERANCE: f64 = 1e-9;
+
+/// Every finding, the worst kinds first.
+pub(super) fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> Vec<Finding> {
+    let (mild, mut findings): (Vec<Finding>, Vec<Finding>) =
+        jumps(cam, joints).into_iter().partition(|finding| finding.level < Level::Unacceptable);
+    findings.extend(doubtful(&cam.program));
+    findings.extend(steep(cam, samples, summary));
+    findings.extend(below_base(cam, samples, summary));
+    let mut cuts = irregular(cam, samples, summary);
+    cuts.extend(groove_cuts(cam, samples));
+    let regular = cuts.is_empty();
+    findings.extend(cuts);
+    findings.extend(misplaced(cam, samples, summary));
+    if regular {
+        findings.extend(crossing(samples));
+        findings.extend(arm_cut(cam, samples));
+    }
+    findings.extend(mild);
+    findings
+}
+
+/// One finding for each order that jumps, with all its places.
+fn jumps(cam: &Cam, joints: &[Joint]) -> Vec<Finding> {
+    let size = |joint: &Joint, order: u8| {
+        (joint.after.order(usize::from(order)) - joint.before.order(usize::from(order))).abs()
+    };
+    let of_order = |order: u8| {
+        let here: Vec<&Joint> = joints.iter().filter(|joint| joint.jump == Some(order)).collect();
+        let worst = here.iter().copied().max_by(|a, b| size(a, order).total_cmp(&size(b, order)))?;
+        Some(Finding {
+            kind: FindingKind::Jump(order),
+            level: FindingKind::Jump(order).severity(cam.closure),
+            theta: worst.theta,
+            interval: None,
+            places: here.iter().map(|joint| joint.theta).collect(),
+            value: size(worst, order),
+            limit: 0.0,
+        })
+    };
+    (0..4).filter_map(of_order).collect()
+}
+
+/// Free laws whose curve is not to be trusted.
+fn doubtful(program: &Program) -> impl Iterator<Item = Finding> {
+    program.doubts().iter().map(|doubt| {
+        let stretch = (program.borders()[doubt.segment], program.borders()[doubt.segment + 1]);
+        finding(FindingKind::Doubtful, stretch.0, doubt.condition, doubt.limit, Some(stretch))
+    })
+}
+
+fn steep(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {
+    let limit = cam.follower.pressure_angle_limit();
+    let (value, theta) = summary.pressure_angle.greatest_size();
+    (value > limit + ANGLE_TOLERANCE).then(|| {
+        let stretches = intervals(cam, samples, Quantity::PressureAngle, theta, |angle| angle.abs() - limit);
+        finding(FindingKind::PressureAngle, theta, value, limit, around(cam, &stretches, theta))
+    })
+}
+
+fn below_base(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {
+    let Extremes { min, min_at, .. } = summary.s;
+    (min < -BELOW_TOLERANCE * summary.s.max.abs().max(f64::MIN_POSITIVE)).then(|| {
+        let stretches = intervals(cam, samples, Quantity::S, min_at, |s| -s);
+        finding(FindingKind::BelowBase, min_at, min, 0.0, around(cam, &stretches, min_at))
+    })
+}
+
+/// Cusps and undercut stretches, each stretch with its own worst place.
+fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
+    let Some((least, theta)) = summary.least_convex else { return Vec::new() };
+    let edge = CUSP_TOLERANCE * cam.size();
+    if least > edge {
+        return Vec::new();
+    }
+    if least >= -edge {
+        return vec![finding(FindingKind::Cusp, theta, 0.0, 0.0, None)];
+    }
+    let kind = if cam.follower.is_flat() { FindingKind::ConcaveFlat } else { FindingKind::Undercut };
+    let follower = &cam.follower;
+    let stretches = intervals(cam, samples, Quantity::Bend, theta, |bend| -follower.regularity(bend));
+    let bends = samples.grid(Quantity::Bend);
+    let each = stretches.iter().map(|&(from, to)| {
+        let inside = (0..bends.len()).filter(|&i| within(cam, (from, to), samples.theta[i]));
+        let worst = inside.min_by(|&a, &b| follower.regularity(bends[a]).total_cmp(&follower.regularity(bends[b])));
+        let (value, at) = match worst {
+            _ if within(cam, (from, to), theta) => (least, theta),
+            Some(i) => (follower.profile_radius(bends[i]), samples.theta[i]),
+            // So short that no station falls in it: anywhere in it is as good.
+            None => {
+                let middle = (0.5 * (from + to)) % cam.program.span();
+                (follower.profile_radius(cam.at(middle).1.bend), middle)
+            }
+        };
+        finding(kind, at, value, 0.0, Some((from, to)))
+    });
+    each.collect()
+}
+
+/// Stretches of a groove whose outer wall, the pitch curve offset outwards, is cut away in a hollow: 1 + Rf·κp < 0.
+fn groove_cuts(cam: &Cam, samples: &Samples) -> Option<Finding> {
+    if cam.closure != Closure::Groove {
+        return None;
+    }
+    let radius = cam.follower.disc_radius();
+    let Extremes { min, min_at, .. } = extremes(cam, samples, Quantity::Bend);
+    (1.0 + radius * min < -CUSP_TOLERANCE).then(|| {
+        let stretches = intervals(cam, samples, Quantity::Bend, min_at, |bend| -1.0 - radius * bend);
+        let place = around(cam, &stretches, min_at);
+        finding(FindingKind::GrooveUndercut, min_at, -1.0 / min, radius, place)
+    })
+}
+
+/// A pivot or a swinging face where it cannot be.
+fn misplaced(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let Body::Swing { pivot } = cam.follower.body else { return findings };
+    let radius = extremes(cam, samples, Quantity::Radius);
+    if radius.max >= pivot.norm() {
+        findings.push(finding(FindingKind::PivotInsideCam, radius.max_at, radius.max, pivot.norm(), None));
+    }
+    if let Some(reach) = summary.reach {
+        let lead = extremes(cam, samples, Quantity::Lead);
+        if lead.min <= 0.0 {
+            findings.push(finding(FindingKind::FaceOvertaken, lead.min_at, 1.0 - lead.min, 1.0, None));
+        } else if reach.min <= 0.0 {
+            let stretches = intervals(cam, samples, Quantity::Reach, reach.min_at, |reach| -reach);
+            let interval = around(cam, &stretches, reach.min_at);
+            findings.push(finding(FindingKind::ContactPastPivot, reach.min_at, reach.min, 0.0, interval));
+        }
+    }
+    findings
+}
+
+pub(crate) fn finding(kind: FindingKind, theta: f64, value: f64, limit: f64, interval: Option<(f64, f64)>) -> Finding {
+    // Only jumps are ever less than unacceptable.
+    Finding { kind, level: Level::Unacceptable, theta, interval, places: vec![theta], value, limit }
+}
+
+fn within(cam: &Cam, (from, to): (f64, f64), theta: f64) -> bool {
+    let again = theta + TAU;
+    from <= theta && theta <= to || cam.program.is_cyclic() && from <= again && again <= to
+}
+
+fn around(cam: &Cam, stretches: &[(f64, f64)], theta: f64) -> Option<(f64, f64)> {
+    stretches.iter().copied().find(|&stretch| within(cam, stretch, theta))
+}

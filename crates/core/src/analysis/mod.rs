@@ -1,0 +1,56 @@
+//! Everything there is to say about a cam.
+
+mod column;
+mod judgement;
+mod summary;
+
+pub use column::Column;
+pub(crate) use judgement::finding;
+pub use summary::Summary;
+
+use crate::samples::Samples;
+use crate::{Body, Cam, Finding, Joint, Level};
+use column::tabulate;
+use judgement::judge;
+use summary::summarise;
+
+/// A cam analysed.
+#[derive(Clone, Debug)]
+pub struct Analysis {
+    /// Extremes over the turn.
+    pub summary: Summary,
+    /// Every joint, the one at θ = 0 first.
+    pub joints: Vec<Joint>,
+    /// What is wrong, the worst kinds first.
+    pub findings: Vec<Finding>,
+    /// The verdict.
+    pub level: Level,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Analysis {
+    /// Analyses a cam at `steps` equal steps over the turn: `steps` + 1 rows, the last repeating the first, a row on a joint
+    /// holding the limits from the right. At least one step is taken.
+    ///
+    /// The summary and the verdict are exact whatever `steps` is.
+    #[must_use]
+    pub fn of(cam: &Cam, steps: usize) -> Self {
+        let steps = steps.max(1);
+        let mut samples = Samples::of(cam, steps);
+        if let Body::Swing { .. } = cam.follower.body {
+            samples.measure_radius(cam);
+        }
+        let summary = summarise(cam, &samples);
+        let joints = cam.program.classified_joints();
+        let findings = judge(cam, &samples, &summary, &joints);
+        let level = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Acceptable);
+        Self { columns: tabulate(cam, samples, steps), summary, joints, findings, level }
+    }
+
+    /// A column, or nothing when it does not apply to this follower.
+    #[must_use]
+    pub fn column(&self, column: Column) -> Option<&[f64]> {
+        let values = &self.columns[column as usize];
+        (!values.is_empty()).then_some(values)
+    }
+}
