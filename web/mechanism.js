@@ -94,6 +94,9 @@ export function mount(root, context) {
     pen.ratio = Math.min(Math.max(devicePixelRatio, 1), SHARPEST);
     canvas.width = Math.round(width * pen.ratio);
     canvas.height = Math.round(height * pen.ratio);
+    // As large as it is drawn: a frame of half a pixel would blur every line.
+    canvas.style.inlineSize = `${canvas.width / pen.ratio}px`;
+    canvas.style.blockSize = `${canvas.height / pen.ratio}px`;
     if (scene && (!chosen || goal === null)) look(true);
     draw();
   }).observe(frame);

@@ -53,6 +53,21 @@ test("θ follows the cursor when it is asked to, and the window gives the focus 
   assert.equal(await page.evaluate(() => document.activeElement?.id), "solve");
 });
 
+test("beside it the cam, what moves it and the verdict stay in sight, and the diagrams come back with its end", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.R1, viewport: { width: 1366, height: 768 } });
+  const right = (/** @type {string} */ part) => page.locator(part).evaluate((element) => element.getBoundingClientRect().right);
+  await open(page);
+  await says(page, /Verdict/);
+  const left = await page.locator("#solution").evaluate((element) => element.getBoundingClientRect().left);
+  for (const part of ["#mechanism canvas", "#transport", "#verdict"]) await eventually(() => right(part), (edge) => assert(edge <= left + 1, `${part}: ${edge} of ${left}`));
+  const sharp = () => page.locator("#mechanism canvas").evaluate((canvas) => canvas instanceof HTMLCanvasElement && canvas.width === canvas.getBoundingClientRect().width * devicePixelRatio);
+  await becomes(sharp, true);
+  assert.equal(await page.locator("#diagrams").isVisible(), false);
+  await page.keyboard.press("Escape");
+  await becomes(() => page.locator("#diagrams").isVisible(), true);
+  await eventually(() => right("#mechanism canvas"), (edge) => assert(edge > left, String(edge)));
+});
+
 test("it is copied as LaTeX and as Markdown, and printed alone on its paper", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS.R1, permissions: ["clipboard-read", "clipboard-write"] });
   await open(page);

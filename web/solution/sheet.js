@@ -1,7 +1,8 @@
 /** The look of the solution, on screen and on paper: it comes with it, so that a first visit does not load it. */
 
 const SHEET = `
-#solution { position: fixed; inset: var(--solution-top, 0) 0 0 auto; z-index: 20; inline-size: min(50rem, 60vw); block-size: auto; max-inline-size: none; max-block-size: none; margin: 0; padding: 0; border-width: 0 0 0 1px; border-radius: 0; overflow: hidden; }
+body { --solution-width: min(50rem, 60vw); }
+#solution { position: fixed; inset: var(--solution-top, 0) 0 0 auto; z-index: 20; inline-size: var(--solution-width); block-size: auto; max-inline-size: none; max-block-size: none; margin: 0; padding: 0; border-width: 0 0 0 1px; border-radius: 0; overflow: hidden; }
 #solution[open] { display: flex; flex-direction: column; }
 .solution-head { display: flex; align-items: center; justify-content: space-between; padding: var(--space-3) var(--space-5) 0; }
 .solution-head h2 { margin: 0; }
@@ -37,6 +38,17 @@ const SHEET = `
   .solution-bar { gap: 0 var(--space-3); padding-block: 0; }
   #solution-theta { inline-size: 6.5rem; }
   .solution-do button { min-inline-size: 0; }
+}
+/* The cam and its verdict step aside; the diagrams do where there is room for three. */
+@media screen and (min-width: 1250px) {
+  body:has(> #solution[open]) main { margin-inline-end: var(--solution-width); }
+}
+@media screen and (min-width: 1250px) and (max-width: 1799px) {
+  body:has(> #solution[open]) main { grid-template: "design mechanism" minmax(0, 1fr) "design transport" auto "verdict verdict" auto / 360px minmax(0, 1fr); }
+  body:has(> #solution[open]) #verdict { grid-template-columns: minmax(0, 1fr); block-size: auto; max-block-size: 40dvh; }
+  body:has(> #solution[open]) .figures { justify-content: start; padding-inline-start: calc(1.7rem + var(--space-2)); }
+  [data-projector] body:has(> #solution[open]) main { grid-template: "mechanism" minmax(0, 1fr) "transport" auto "verdict" auto / minmax(0, 1fr); }
+  body:has(> #solution[open]) :is(#diagrams, #readouts) { display: none; }
 }
 @media print {
   @page { size: A4 portrait; margin: 15mm; }
