@@ -140,7 +140,11 @@ fn greatest(
         let bump = bumps.remove(next);
         let piece = &cam.program.stretches()[bump.stretch];
         let tolerance = THETA_TOLERANCE * (cam.program.span() / TAU);
-        let (at, value) = summit(bump.points, tolerance, |theta| sign * quantity.at(cam, piece, theta));
+        let height = |theta: f64| sign * quantity.at(cam, piece, theta);
+        let (at, value) = match quantity.slope() {
+            Some(slope) => crest(bump.points, |theta| sign * slope.at(cam, piece, theta), height),
+            None => summit(bump.points, tolerance, height),
+        };
         if value > best.0 + ROUNDING * range {
             best = (value, at);
         }
@@ -157,6 +161,22 @@ fn vertex(before: f64, here: f64, after: f64) -> f64 {
     }
     let slope = 0.5 * (after - before);
     here - 0.5 * slope * slope / bend
+}
+
+/// Where the slope of `f` passes zero beside the middle one of three points, and the value there; the middle one itself where it does not, as
+/// at the end of a stretch.
+fn crest(
+    [(low, _), (here, at_here), (high, _)]: [(f64, f64); 3],
+    slope: impl Fn(f64) -> f64,
+    f: impl Fn(f64) -> f64,
+) -> (f64, f64) {
+    let uphill = slope(here);
+    let far = if uphill > 0.0 { high } else { low };
+    if uphill == 0.0 || far == here || (slope(far) > 0.0) == (uphill > 0.0) {
+        return (here, at_here);
+    }
+    let at = root(here, far, slope);
+    (at, f(at))
 }
 
 /// Greatest value of `f` between the outer two of three points, by Brent's method started from the inner one.

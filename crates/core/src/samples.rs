@@ -50,6 +50,16 @@ impl Quantity {
         }
     }
 
+    /// The quantity that is its derivative, where that is one of them.
+    pub fn slope(self) -> Option<Self> {
+        match self {
+            Self::S => Some(Self::V),
+            Self::V => Some(Self::A),
+            Self::A => Some(Self::J),
+            _ => None,
+        }
+    }
+
     /// Its value at θ of a stretch.
     pub fn at(self, cam: &Cam, stretch: &Stretch, theta: f64) -> f64 {
         let motion = stretch.at(theta);
