@@ -2,6 +2,7 @@
 
 use crate::board::{Board, cell, two};
 use crate::document::{formula, line};
+use crate::extremes::{heads, placed};
 use crate::number;
 use crate::substitute::{Values, substituted};
 use crate::substitution::Place;
@@ -89,11 +90,6 @@ fn outputs(board: &mut Board, set: &ApplicationDesign, outcome: &Outcome, mut kn
     }
 }
 
-/// A place in the unit of the design.
-fn placed(board: &Board, place: f64) -> String {
-    if board.travels() { number::height(place) + &board.length() } else { number::angle(place) + "{°}" }
-}
-
 fn extremes(board: &mut Board, outcome: &Outcome) {
     board.say(
         two(
@@ -102,13 +98,7 @@ fn extremes(board: &mut Board, outcome: &Outcome) {
         ),
         &[],
     );
-    let heads = vec![
-        board.line(two("magnitude", "magnitud"), &[]),
-        board.line(two("least", "mínimo"), &[]),
-        cell("θ"),
-        board.line(two("greatest", "máximo"), &[]),
-        cell("θ"),
-    ];
+    let heads = heads(board);
     let row = |found: &OutputRange| {
         let OutputRange { output, range, .. } = found;
         let value = |value: f64| cell(&measured(board, &number::height(value), output.magnitude));

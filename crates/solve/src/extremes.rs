@@ -108,6 +108,22 @@ fn few(mut found: Vec<Found>) -> Vec<Found> {
     found
 }
 
+/// The heads of a table of least and greatest values.
+pub fn heads(board: &Board) -> Vec<Line> {
+    vec![
+        board.line(two("magnitude", "magnitud"), &[]),
+        board.line(two("least", "mínimo"), &[]),
+        cell("θ"),
+        board.line(two("greatest", "máximo"), &[]),
+        cell("θ"),
+    ]
+}
+
+/// A place in the unit of the design.
+pub fn placed(board: &Board, place: f64) -> String {
+    if board.travels() { number::height(place) + &board.length() } else { number::angle(place) + "{°}" }
+}
+
 /// The whole cycle.
 pub fn write(board: &mut Board) {
     board.heading(1, two("Greatest and least values", "Valores máximos y mínimos"), &[]);
@@ -118,20 +134,11 @@ pub fn write(board: &mut Board) {
         ),
         &[],
     );
-    let heads = vec![
-        board.line(two("magnitude", "magnitud"), &[]),
-        board.line(two("least", "mínimo"), &[]),
-        cell("θ"),
-        board.line(two("greatest", "máximo"), &[]),
-        cell("θ"),
-    ];
+    let heads = heads(board);
     let report = board.subject.report;
     let omega = board.design().omega();
     let length = board.length();
     let mut rows = Vec::new();
-    let place = |at: f64| {
-        if board.travels() { number::height(at) + &length } else { number::angle(at) + "{°}" }
-    };
     let mut add = |symbol: &str, range: Range, factor: f64, unit: &str, written: fn(f64) -> String| {
         if range.min.is_infinite() && range.max.is_infinite() {
             return;
@@ -145,7 +152,7 @@ pub fn write(board: &mut Board) {
         };
         // What is the same all along has no place.
         let level = range.max - range.min <= number::NEGLIGIBLE * scale;
-        let at = |at: f64, value: f64| if value.is_finite() && !level { cell(&place(at)) } else { line("–") };
+        let at = |at: f64, value: f64| if value.is_finite() && !level { cell(&placed(board, at)) } else { line("–") };
         rows.push(vec![
             cell(symbol),
             value(range.min),
