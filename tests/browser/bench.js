@@ -94,13 +94,13 @@ async function measureEdits(cpu) {
 
 /** Many edits, each an undo step, then what is left after collecting the garbage. */
 async function measureMemory() {
-  const { page, close } = await open();
+  const { page, close } = await open(undefined, watchMemories);
   await pause(page);
   const devtools = await page.context().newCDPSession(page);
   await edit(page, 2000);
-  const before = await memory(devtools);
+  const before = await memory(page, devtools);
   await edit(page, EDITS);
-  const after = await memory(devtools);
+  const after = await memory(page, devtools);
   const change = (/** @type {"heap" | "wasm"} */ kind) => `${((after[kind] - before[kind]) / 1e6).toFixed(2)} MB`;
   table.push([`memory after ${EDITS} edits, JavaScript (of ${(after.heap / 1e6).toFixed(1)} MB)`, change("heap"), "no growth"]);
   table.push([`memory after ${EDITS} edits, wasm (of ${(after.wasm / 1e6).toFixed(1)} MB)`, change("wasm"), "no growth"]);
@@ -127,10 +127,11 @@ async function measureReference() {
   await context.close();
 }
 
-/** A fresh profile with the page drawn. @param {typeof THROTTLED} [throttle] */
-async function open(throttle) {
+/** A fresh profile with the page drawn. @param {typeof THROTTLED} [throttle] @param {(page: Page) => Promise<unknown>} [prepare] */
+async function open(throttle, prepare) {
   const context = await browser.newContext({ viewport: { width: 1366, height: 768 } });
   const page = await context.newPage();
+  await prepare?.(page);
   if (throttle) {
     const { cpu, ...network } = throttle;
     const devtools = await context.newCDPSession(page);
@@ -197,19 +198,34 @@ async function edit(page, count) {
   }, count);
 }
 
-/** Bytes in use. @param {import("playwright-core").CDPSession} devtools */
-async function memory(devtools) {
+/** Keeps what memories the page's modules bring, to be measured later. @param {Page} page */
+function watchMemories(page) {
+  return page.addInitScript(() => {
+    /** @type {Set<WebAssembly.Memory>} */
+    const memories = new Set();
+    Object.assign(window, { memories });
+    for (const name of /** @type {const} */ (["instantiate", "instantiateStreaming"])) {
+      const instantiate = /** @type {(...given: unknown[]) => Promise<any>} */ (WebAssembly[name]);
+      Object.assign(WebAssembly, {
+        /** @param {unknown[]} given */
+        async [name](...given) {
+          const made = await instantiate(...given);
+          const { memory } = (made.instance ?? made).exports;
+          if (memory) memories.add(memory);
+          return made;
+        },
+      });
+    }
+  });
+}
+
+/** Bytes in use. @param {Page} page @param {import("playwright-core").CDPSession} devtools */
+async function memory(page, devtools) {
   await devtools.send("HeapProfiler.enable");
   for (let round = 0; round < 3; round++) await devtools.send("HeapProfiler.collectGarbage");
   const { usedSize } = await devtools.send("Runtime.getHeapUsage");
-  const prototype = await devtools.send("Runtime.evaluate", { expression: "WebAssembly.Memory.prototype" });
-  const { objects } = await devtools.send("Runtime.queryObjects", { prototypeObjectId: prototype.result.objectId ?? "" });
-  const sum = await devtools.send("Runtime.callFunctionOn", {
-    objectId: objects.objectId,
-    functionDeclaration: "function () { return this.reduce((sum, memory) => sum + memory.buffer.byteLength, 0); }",
-    returnByValue: true,
-  });
-  return { heap: usedSize, wasm: Number(sum.result.value) };
+  const wasm = await page.evaluate(() => [.../** @type {any} */ (window).memories].reduce((/** @type {number} */ sum, /** @type {WebAssembly.Memory} */ memory) => sum + memory.buffer.byteLength, 0));
+  return { heap: usedSize, wasm: Number(wasm) };
 }
 
 /** @param {number[]} values @param {number} share */
