@@ -4,8 +4,8 @@ mod support;
 
 use levalab_core::law::Law;
 use levalab_core::{
-    Analysis, Cam, FOLLOWERS, FindingKind, Follower, FollowerKind, GeometryProblem, Program, ProgramProblem, Rotation,
-    Segment,
+    Analysis, Cam, FOLLOWERS, FindingKind, Follower, FollowerKind, GeometryProblem, Misfit, Program, ProgramProblem,
+    Rotation, Segment,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -185,11 +185,11 @@ fn a_follower_that_cannot_be_is_refused_by_the_magnitude_to_blame() {
     }
     assert_eq!(
         refusal("translating-roller", 40.0, [10.0, -50.0, 0.0, 0.0]),
-        ("eccentricity", GeometryProblem::Eccentricity { found: -50.0, prime_radius: 50.0 }),
+        ("eccentricity", GeometryProblem::Misfit(Misfit::Eccentricity { eccentricity: -50.0, prime_radius: 50.0 })),
     );
     assert_eq!(
         refusal("translating-knife", 40.0, [40.0, 0.0, 0.0, 0.0]),
-        ("eccentricity", GeometryProblem::Eccentricity { found: 40.0, prime_radius: 40.0 }),
+        ("eccentricity", GeometryProblem::Misfit(Misfit::Eccentricity { eccentricity: 40.0, prime_radius: 40.0 })),
     );
     assert!(matches!(
         refusal("translating-flat", 40.0, [FRAC_PI_2, 0.0, 0.0, 0.0]),
@@ -199,13 +199,13 @@ fn a_follower_that_cannot_be_is_refused_by_the_magnitude_to_blame() {
         let (key, problem) = refusal("oscillating-roller", 40.0, [10.0, arm, pivot_distance, 0.0]);
         assert_eq!(
             (key, problem),
-            ("pivot_distance", GeometryProblem::Triangle { pivot_distance, arm, prime_radius: 50.0 })
+            ("pivot_distance", GeometryProblem::Misfit(Misfit::Triangle { pivot_distance, arm, prime_radius: 50.0 }))
         );
     }
     let (key, problem) = refusal("oscillating-flat", 40.0, [-10.0, 50.0, 0.0, 0.0]);
     assert_eq!(
         (key, problem),
-        ("pivot_distance", GeometryProblem::FaceOutOfReach { pivot_distance: 50.0, needed: 50.0 })
+        ("pivot_distance", GeometryProblem::Misfit(Misfit::FaceOutOfReach { pivot_distance: 50.0, needed: 50.0 }))
     );
 }
 

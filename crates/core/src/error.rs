@@ -109,27 +109,34 @@ pub enum GeometryProblem {
         /// It must be less than this.
         max: f64,
     },
-    /// The eccentricity reaches the prime circle, so the follower's axis misses it.
+    /// The follower does not come together with its base circle.
+    Misfit(Misfit),
+}
+
+/// Lengths that no follower on its base circle has together. In whatever unit the design uses: no angle is among them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Misfit {
+    /// The eccentricity reaches the prime circle, so the follower's axis misses it: |e| ≥ Rp.
     Eccentricity {
-        /// The value given.
-        found: f64,
-        /// Radius of the prime circle.
+        /// e, signed.
+        eccentricity: f64,
+        /// Rp.
         prime_radius: f64,
     },
-    /// Arm, pivot distance and prime radius make no triangle.
+    /// Pivot distance, arm and prime radius make no triangle: one of them is not less than the other two together.
     Triangle {
-        /// Pivot distance.
+        /// m.
         pivot_distance: f64,
-        /// Length of the arm.
+        /// A.
         arm: f64,
-        /// Radius of the prime circle.
+        /// Rp.
         prime_radius: f64,
     },
-    /// The face cannot touch the base circle from a pivot so near.
+    /// The face cannot touch the base circle from a pivot so near: m ≤ |Rb − f|.
     FaceOutOfReach {
-        /// Pivot distance.
+        /// m.
         pivot_distance: f64,
-        /// |Rb − f|, which must be less.
+        /// |Rb − f|, which m must exceed.
         needed: f64,
     },
 }

@@ -59,7 +59,7 @@ pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, nearest_tie, wo
 pub use cure::{Cure, prescribe};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use cycle::Cycle;
-pub use error::{CamError, GeometryError, GeometryProblem, ProgramError, ProgramProblem};
+pub use error::{CamError, GeometryError, GeometryProblem, Misfit, ProgramError, ProgramProblem};
 pub use expression::{
     Constant as ExpressionConstant, Expression, ExpressionFault, ExpressionProblem, Formula,
     Function as ExpressionFunction, MAX_EXPRESSION, Op as ExpressionOp, Variables,

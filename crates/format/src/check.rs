@@ -11,8 +11,8 @@ use crate::report::tidy;
 use crate::{CamKind, DataRefusal, Design, DesignError, Measure, Path, Problem, SegmentDesign, SpeedUnit};
 use levalab_core::law::Given;
 use levalab_core::{
-    Cam, Cycle, Follower, GeometryError, GeometryProblem, MIN_BETA, Parameter, Program, ProgramError, ProgramProblem,
-    Quantity, Segment,
+    Cam, Cycle, Follower, GeometryError, GeometryProblem, MIN_BETA, Misfit, Parameter, Program, ProgramError,
+    ProgramProblem, Quantity, Segment,
 };
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
@@ -45,8 +45,8 @@ impl Design {
 
     /// A refusal with its eccentricity in the sign of the notation.
     fn shown(&self, mut error: DesignError) -> DesignError {
-        if let Problem::Eccentricity { found, .. } = &mut error.problem {
-            *found = *found * self.eccentricity_sign() + 0.0;
+        if let Problem::Misfit(Misfit::Eccentricity { eccentricity, .. }) = &mut error.problem {
+            *eccentricity = *eccentricity * self.eccentricity_sign() + 0.0;
         }
         error
     }
@@ -303,13 +303,7 @@ fn geometry_error(parameters: &[Parameter], GeometryError { key, problem }: Geom
         GeometryProblem::Outside { found, min, max } => {
             Problem::NotBetween { found: edge(found), min: edge(min), max: edge(max), measure }
         }
-        GeometryProblem::Eccentricity { found, prime_radius } => Problem::Eccentricity { found, prime_radius },
-        GeometryProblem::Triangle { pivot_distance, arm, prime_radius } => {
-            Problem::Triangle { pivot_distance, arm, prime_radius }
-        }
-        GeometryProblem::FaceOutOfReach { pivot_distance, needed } => {
-            Problem::FaceOutOfReach { pivot_distance, needed }
-        }
+        GeometryProblem::Misfit(misfit) => Problem::Misfit(misfit),
     };
     DesignError { path, problem }
 }

@@ -1,7 +1,7 @@
 //! What is wrong with a design, as facts; the words are made in `levalab-words`.
 
 use crate::path::{Path, quoted};
-use levalab_core::{ExpressionProblem, JoinProblem};
+use levalab_core::{ExpressionProblem, JoinProblem, Misfit};
 use std::fmt;
 
 /// Why a design cannot be opened: where, and what is wrong there.
@@ -183,22 +183,8 @@ pub enum Problem {
         /// What it measures.
         measure: Measure,
     },
-    /// The eccentricity reaches the prime circle.
-    Eccentricity {
-        /// The eccentricity.
-        found: f64,
-        /// Radius of the prime circle.
-        prime_radius: f64,
-    },
-    /// Arm, pivot distance and prime radius make no triangle.
-    Triangle {
-        /// Pivot distance.
-        pivot_distance: f64,
-        /// Length of the arm.
-        arm: f64,
-        /// Radius of the prime circle.
-        prime_radius: f64,
-    },
+    /// A follower that does not come together with its base circle.
+    Misfit(Misfit),
     /// A follower, or a second cam, that this kind of cam has no place for.
     Unsuited {
         /// The word for the kind.
@@ -255,13 +241,6 @@ pub enum Problem {
         found: f64,
         /// It must be more than this.
         least: f64,
-    },
-    /// The face cannot touch the base circle from a pivot so near.
-    FaceOutOfReach {
-        /// Pivot distance.
-        pivot_distance: f64,
-        /// It must be more than this.
-        needed: f64,
     },
 }
 

@@ -1,6 +1,6 @@
 //! What a design file may not say, and where each refusal points.
 
-use levalab_core::ExpressionFault;
+use levalab_core::{ExpressionFault, Misfit};
 use levalab_format::limits::{MAX_FILE_BYTES, MAX_SEGMENTS};
 use levalab_format::{DataRefusal, Design, DesignError, Kind, Measure, Problem, example};
 use serde_json::{Value, json};
@@ -310,7 +310,7 @@ fn a_crossover_at_an_end_is_placed() {
 #[test]
 fn geometry_that_cannot_be_is_placed() {
     check("/follower/eccentricity", json!(42), "follower.eccentricity", |problem| {
-        *problem == Problem::Eccentricity { found: 42.0, prime_radius: 42.0 }
+        *problem == Problem::Misfit(Misfit::Eccentricity { eccentricity: 42.0, prime_radius: 42.0 })
     });
     let place = |name: &str, place: &str, value: f64| {
         let error = refusal_of(name, place, json!(value));
@@ -318,11 +318,11 @@ fn geometry_that_cannot_be_is_placed() {
     };
     let (path, problem) = place("2RO", "/follower/pivot_distance", 200.0);
     assert_eq!(path, "follower.pivot_distance");
-    assert_eq!(problem, Problem::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 });
+    assert_eq!(problem, Problem::Misfit(Misfit::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 }));
     let (path, problem) = place("4PO", "/follower/pivot_distance", 30.0);
     assert_eq!(
         (path.as_str(), problem),
-        ("follower.pivot_distance", Problem::FaceOutOfReach { pivot_distance: 30.0, needed: 40.0 })
+        ("follower.pivot_distance", Problem::Misfit(Misfit::FaceOutOfReach { pivot_distance: 30.0, needed: 40.0 }))
     );
     let (path, problem) = place("10EX", "/follower/face_angle", 90.0);
     assert_eq!(path, "follower.face_angle");

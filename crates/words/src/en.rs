@@ -3,7 +3,7 @@
 use crate::data_en;
 use crate::voice::{Figures, FileProblem, Voice, by_law, measured, row, worst_kinds};
 use crate::{Language, Units};
-use levalab_core::{Column, FindingKind, Level, Tie};
+use levalab_core::{Column, FindingKind, Level, Misfit, Tie};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Kind, Measure, Problem, Remedy, quoted};
@@ -315,16 +315,7 @@ impl Voice for English {
             Problem::BelowBase { found, measure } => {
                 format!("The follower would end at {}, below the base circle.", measured(*found, *measure, EN))
             }
-            Problem::Eccentricity { found, prime_radius } => {
-                let (e, radius) = (EN.exact(*found), EN.exact(*prime_radius));
-                format!("An eccentricity of {e} is too large: it must be less than the prime radius, {radius}.")
-            }
-            Problem::Triangle { pivot_distance, arm, prime_radius } => {
-                let [m, arm, radius] = [pivot_distance, arm, prime_radius].map(|value| EN.exact(*value));
-                format!(
-                    "A pivot at {m}, an arm of {arm} and a prime radius of {radius} make no triangle: each must be less than the other two together."
-                )
-            }
+            Problem::Misfit(problem) => misfit(*problem),
             Problem::Unsuited { kind } => {
                 format!("It has no place on a {}.", crate::cam_kind(EN, kind))
             }
@@ -366,10 +357,6 @@ impl Voice for English {
                     .to_owned()
             }
             Problem::OneOf { expected } => format!("Only one of {} can be given.", row_of(expected)),
-            Problem::FaceOutOfReach { pivot_distance, needed } => {
-                let (m, needed) = (EN.exact(*pivot_distance), EN.exact(*needed));
-                format!("From a pivot at {m} the face cannot touch the base circle: it must be at more than {needed}.")
-            }
         }
     }
 
@@ -407,6 +394,25 @@ impl Voice for English {
             FileProblem::Forbidden => "The file may not be read.",
             FileProblem::Unreadable => "The file cannot be read.",
             FileProblem::Unwritable => "The result cannot be written.",
+        }
+    }
+}
+
+fn misfit(misfit: Misfit) -> String {
+    match misfit {
+        Misfit::Eccentricity { eccentricity, prime_radius } => {
+            let (e, radius) = (EN.exact(eccentricity), EN.exact(prime_radius));
+            format!("An eccentricity of {e} is too large: it must be less than the prime radius, {radius}.")
+        }
+        Misfit::Triangle { pivot_distance, arm, prime_radius } => {
+            let [m, arm, radius] = [pivot_distance, arm, prime_radius].map(|value| EN.exact(value));
+            format!(
+                "A pivot at {m}, an arm of {arm} and a prime radius of {radius} make no triangle: each must be less than the other two together."
+            )
+        }
+        Misfit::FaceOutOfReach { pivot_distance, needed } => {
+            let (m, needed) = (EN.exact(pivot_distance), EN.exact(needed));
+            format!("From a pivot at {m} the face cannot touch the base circle: it must be at more than {needed}.")
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::data_es;
 use crate::voice::{Figures, FileProblem, Voice, by_law, measured, row, worst_kinds};
 use crate::{Language, Units};
-use levalab_core::{Column, FindingKind, Level, Tie};
+use levalab_core::{Column, FindingKind, Level, Misfit, Tie};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Kind, Measure, Problem, Remedy, quoted};
@@ -321,18 +321,7 @@ impl Voice for Spanish {
                     measured(*found, *measure, ES)
                 )
             }
-            Problem::Eccentricity { found, prime_radius } => {
-                let (e, radius) = (ES.exact(*found), ES.exact(*prime_radius));
-                format!(
-                    "Una excentricidad de {e} es demasiado grande: tiene que ser menor que el radio primario, {radius}."
-                )
-            }
-            Problem::Triangle { pivot_distance, arm, prime_radius } => {
-                let [m, arm, radius] = [pivot_distance, arm, prime_radius].map(|value| ES.exact(*value));
-                format!(
-                    "Una articulación a {m}, un brazo de {arm} y un radio primario de {radius} no forman un triángulo: cada uno tiene que ser menor que la suma de los otros dos."
-                )
-            }
+            Problem::Misfit(problem) => misfit(*problem),
             Problem::Unsuited { kind } => format!("No tiene sitio en una {}.", crate::cam_kind(ES, kind)),
             Problem::OffCentre { found, measure, kind } => {
                 format!(
@@ -374,12 +363,6 @@ impl Voice for Spanish {
                     .to_owned()
             }
             Problem::OneOf { expected } => format!("Solo se puede dar uno de estos campos: {}.", row_of(expected)),
-            Problem::FaceOutOfReach { pivot_distance, needed } => {
-                let (m, needed) = (ES.exact(*pivot_distance), ES.exact(*needed));
-                format!(
-                    "Desde una articulación a {m} la cara no puede tocar la circunferencia base: tiene que estar a más de {needed}."
-                )
-            }
         }
     }
 
@@ -421,6 +404,29 @@ impl Voice for Spanish {
             FileProblem::Forbidden => "No hay permiso para leer el archivo.",
             FileProblem::Unreadable => "No se puede leer el archivo.",
             FileProblem::Unwritable => "No se puede escribir el resultado.",
+        }
+    }
+}
+
+fn misfit(misfit: Misfit) -> String {
+    match misfit {
+        Misfit::Eccentricity { eccentricity, prime_radius } => {
+            let (e, radius) = (ES.exact(eccentricity), ES.exact(prime_radius));
+            format!(
+                "Una excentricidad de {e} es demasiado grande: tiene que ser menor que el radio primario, {radius}."
+            )
+        }
+        Misfit::Triangle { pivot_distance, arm, prime_radius } => {
+            let [m, arm, radius] = [pivot_distance, arm, prime_radius].map(|value| ES.exact(value));
+            format!(
+                "Una articulación a {m}, un brazo de {arm} y un radio primario de {radius} no forman un triángulo: cada uno tiene que ser menor que la suma de los otros dos."
+            )
+        }
+        Misfit::FaceOutOfReach { pivot_distance, needed } => {
+            let (m, needed) = (ES.exact(pivot_distance), ES.exact(needed));
+            format!(
+                "Desde una articulación a {m} la cara no puede tocar la circunferencia base: tiene que estar a más de {needed}."
+            )
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use levalab_core::{
-    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, LAWS, Level,
+    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, LAWS, Level, Misfit,
 };
 use levalab_format::{CamKind, DataRefusal, Kind, Measure, Path, Problem, cures, example};
 
@@ -116,9 +116,9 @@ fn problems() -> Vec<Problem> {
         Problem::OneOf { expected: vec!["angle", "base_radius"] },
         Problem::Closing { found: 0.1, measure },
         Problem::BelowBase { found: -0.1, measure },
-        Problem::Eccentricity { found: 42.0, prime_radius: 42.0 },
-        Problem::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 },
-        Problem::FaceOutOfReach { pivot_distance: 30.0, needed: 40.0 },
+        Problem::Misfit(Misfit::Eccentricity { eccentricity: 42.0, prime_radius: 42.0 }),
+        Problem::Misfit(Misfit::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 }),
+        Problem::Misfit(Misfit::FaceOutOfReach { pivot_distance: 30.0, needed: 40.0 }),
     ]
 }
 

@@ -15,7 +15,7 @@ mod translating_roller;
 
 pub use contact::Contact;
 
-use crate::{GeometryError, GeometryProblem, Parameter, Quantity};
+use crate::{GeometryError, GeometryProblem, Misfit, Parameter, Quantity};
 use nalgebra::Complex;
 
 /// A point or vector of the plane: x + i·y.
@@ -316,7 +316,7 @@ const FACE_ANGLE: Parameter =
 fn sliding_disc(base_radius: f64, radius: f64, eccentricity: f64) -> Placement {
     let prime_radius = base_radius + radius;
     if eccentricity.abs() >= prime_radius {
-        let problem = GeometryProblem::Eccentricity { found: eccentricity, prime_radius };
+        let problem = GeometryProblem::Misfit(Misfit::Eccentricity { eccentricity, prime_radius });
         return Err(GeometryError { key: ECCENTRICITY.key, problem });
     }
     let start = ((prime_radius - eccentricity) * (prime_radius + eccentricity)).sqrt();

@@ -3,7 +3,7 @@
 use super::{
     Body, ContactKind, Element, FACE_OFFSET, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, positive,
 };
-use crate::{GeometryError, GeometryProblem};
+use crate::{GeometryError, GeometryProblem, Misfit};
 use std::f64::consts::FRAC_PI_2;
 
 /// sin ξ₀ = (Rb − f)/m, ξ = ξ₀ + s, support p = f + m·sin ξ.
@@ -16,7 +16,7 @@ pub const KIND: FollowerKind = FollowerKind {
         positive(PIVOT_DISTANCE.key, pivot_distance)?;
         let needed = (base_radius - offset).abs();
         if needed >= pivot_distance {
-            let problem = GeometryProblem::FaceOutOfReach { pivot_distance, needed };
+            let problem = GeometryProblem::Misfit(Misfit::FaceOutOfReach { pivot_distance, needed });
             return Err(GeometryError { key: PIVOT_DISTANCE.key, problem });
         }
         let xi = ((base_radius - offset) / pivot_distance).asin();

@@ -3,7 +3,7 @@
 use super::{
     ARM, Body, ContactKind, Element, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, ROLLER_RADIUS, positive,
 };
-use crate::{GeometryError, GeometryProblem};
+use crate::{GeometryError, GeometryProblem, Misfit};
 
 /// cos ξ₀ = (m² + A² − Rp²)/(2mA), ξ = ξ₀ + s, F = (m − A·e^(−iξ))·e^(iψ): the pivot at distance m and angle ψ, the arm
 /// above it. Positive *s* turns the arm clockwise.
@@ -19,7 +19,7 @@ pub const KIND: FollowerKind = FollowerKind {
         let prime_radius = base_radius + radius;
         let xi = opening(pivot_distance, arm, prime_radius).ok_or(GeometryError {
             key: PIVOT_DISTANCE.key,
-            problem: GeometryProblem::Triangle { pivot_distance, arm, prime_radius },
+            problem: GeometryProblem::Misfit(Misfit::Triangle { pivot_distance, arm, prime_radius }),
         })?;
         let pivot = Point::from_polar(pivot_distance, pivot_angle);
         let centre = pivot - Point::from_polar(arm, pivot_angle - xi);
