@@ -5,7 +5,7 @@ use crate::limits::{MAX_TARGETS, OUTPUT, PROPERTY, SEAT_ANGLE, SIZE, TIME};
 use crate::read::{Field, Object};
 use crate::report::{Range, column, tidy};
 use crate::write::number;
-use crate::{Design, DesignError, LengthUnit, Measure, Path, Problem};
+use crate::{CamRefusal, Design, DesignError, LengthUnit, Measure, Path, Problem};
 use levalab_core::application::{
     APPLICATIONS, Application, ApplicationValues, Figure, MAX_APPLICATION_PARAMETERS, Magnitude, Output, OutputLaw,
     Setting,
@@ -253,7 +253,7 @@ impl Design {
     pub(crate) fn check_application(&self) -> Result<(), DesignError> {
         let Some(ApplicationDesign { application, values, by, targets, .. }) = &self.application else { return Ok(()) };
         if self.follower.motion == Motion::Oscillating {
-            return Err(DesignError::at("application", Problem::SwingingApplication));
+            return Err(DesignError::at("application", Problem::Cam(CamRefusal::SwingingApplication)));
         }
         let here = |key: &'static str| Path::from(["application", key]);
         for (setting, &value) in application.parameters.iter().zip(values) {

@@ -5,7 +5,7 @@ use crate::limits::{MAX_SEGMENTS, RISE, SWING};
 use crate::read::{Field, Object};
 use crate::report::tidy;
 use crate::write::segment_value;
-use crate::{CamKind, DesignError, Path, Problem, SegmentDesign, json};
+use crate::{CamKind, CamRefusal, DesignError, Path, Problem, SegmentDesign, json};
 use levalab_core::law::{Condition, Data};
 use levalab_core::{Choice, Demand, JoinError, Segment, Taste, join};
 use serde_json::{Map, Value};
@@ -60,7 +60,7 @@ pub fn joined(value: &Value) -> Result<Joined, DesignError> {
     fields.insert("segments".to_owned(), serde_json::json!([{"law": "dwell", "beta": 360}]));
     let around = Design::read_around(&Value::Object(fields.clone()))?;
     if !matches!(around.kind, CamKind::Rotating | CamKind::Grooved) {
-        return Err(DesignError::at(REQUIREMENTS, Problem::Unsuited { kind: around.kind.word() }));
+        return Err(DesignError::at(REQUIREMENTS, Problem::Cam(CamRefusal::Unsuited { kind: around.kind.word() })));
     }
     let heights = if around.is_oscillating() { SWING } else { RISE };
     check_demands(&demands, *heights.end())?;

@@ -8,7 +8,10 @@ use crate::limits::{
     is_unfit_for_title,
 };
 use crate::report::tidy;
-use crate::{CamKind, DataRefusal, Design, DesignError, Measure, Path, Problem, SegmentDesign, SpeedUnit};
+use crate::{
+    CamKind, CamRefusal, DataRefusal, Design, DesignError, Measure, Path, Problem, ProgramRefusal, SegmentDesign,
+    SpeedUnit,
+};
 use levalab_core::law::Given;
 use levalab_core::{
     Cam, Cycle, Follower, GeometryError, GeometryProblem, MIN_BETA, Misfit, Parameter, Program, ProgramError,
@@ -55,7 +58,7 @@ impl Design {
     fn program(&self) -> Result<Program, DesignError> {
         if let (Some(generator), Some(travel)) = (self.kind.generator(), self.breadth_travel()) {
             if !self.segments.is_empty() {
-                return Err(DesignError::at("segments", Problem::Unsuited { kind: self.kind.word() }));
+                return Err(DesignError::at("segments", Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() })));
             }
             return generator.program(travel).map_err(|error| self.program_error(error));
         }
@@ -84,7 +87,10 @@ impl Design {
         }
         self.check_kind()?;
         if (self.speed.unit == SpeedUnit::LengthPerSecond) != self.kind.travel().is_some() {
-            return Err(DesignError::at(["speed", "unit"], Problem::Unsuited { kind: self.kind.word() }));
+            return Err(DesignError::at(
+                ["speed", "unit"],
+                Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() }),
+            ));
         }
         for (parameter, &value) in self.follower.parameters.iter().zip(&self.values) {
             // A length without a natural value is a size; one that is zero unless told is an offset.
@@ -103,10 +109,13 @@ impl Design {
     fn check_program(&self) -> Result<Vec<Decimal>, DesignError> {
         let found = self.segments.len();
         if found == 0 {
-            return Err(DesignError::at("segments", Problem::NoSegments));
+            return Err(DesignError::at("segments", Problem::Program(ProgramRefusal::NoSegments)));
         }
         if found > MAX_SEGMENTS {
-            return Err(DesignError::at("segments", Problem::TooManySegments { found, limit: MAX_SEGMENTS }));
+            return Err(DesignError::at(
+                "segments",
+                Problem::Program(ProgramRefusal::TooManySegments { found, limit: MAX_SEGMENTS }),
+            ));
         }
         for k in 0..found {
             self.check_segment(k)?;
@@ -114,7 +123,10 @@ impl Design {
         let turn: Decimal = self.segments.iter().map(|segment| Decimal::of(segment.beta)).sum();
         let (whole, measure) = (self.kind.whole(), self.stride());
         if misses(turn - Decimal::of(whole)) {
-            return Err(DesignError::at("segments", Problem::Turn { found: turn.to_f64(), whole, measure }));
+            return Err(DesignError::at(
+                "segments",
+                Problem::Program(ProgramRefusal::Turn { found: turn.to_f64(), whole, measure }),
+            ));
         }
         self.check_heights()
     }
@@ -131,13 +143,19 @@ impl Design {
         }
         check_range(here.join("rise"), *rise, if self.is_oscillating() { &SWING } else { &RISE }, measure)?;
         if law.is_dwell() && *rise != 0.0 {
-            return Err(DesignError::at(here.join("rise"), Problem::DwellRises { found: *rise, measure }));
+            return Err(DesignError::at(
+                here.join("rise"),
+                Problem::Program(ProgramRefusal::DwellRises { found: *rise, measure }),
+            ));
         }
         data::check(&here, &self.segments[k], self.is_oscillating())?;
         let next = (k + 1) % self.segments.len();
         let round = next == 0 && self.kind.travel().is_some();
         if law.is_matched() && self.segments[next].law.is_matched() && !round {
-            return Err(DesignError::at(here.join("law"), Problem::AdjacentPolynomials { next }));
+            return Err(DesignError::at(
+                here.join("law"),
+                Problem::Program(ProgramRefusal::AdjacentPolynomials { next }),
+            ));
         }
         Ok(())
     }
@@ -150,7 +168,10 @@ impl Design {
             let closes = self.kind.cycle() == Cycle::Turn && k + 1 == self.segments.len();
             if height < Decimal::default() && misses(height) && !closes {
                 let here = self.place_of_rise(k);
-                return Err(DesignError::at(here, Problem::BelowBase { found: height.to_f64(), measure }));
+                return Err(DesignError::at(
+                    here,
+                    Problem::Program(ProgramRefusal::BelowBase { found: height.to_f64(), measure }),
+                ));
             }
             heights.push(height);
         }
@@ -160,7 +181,7 @@ impl Design {
             (CamKind::ConstantBreadth { breadth, .. }, Some(travel)) => {
                 if misses(last - Decimal::of(travel)) {
                     let (found, base_radius) = (last.to_f64(), self.base_radius);
-                    let problem = Problem::BreadthTravel { found, travel, breadth, base_radius };
+                    let problem = Problem::Cam(CamRefusal::BreadthTravel { found, travel, breadth, base_radius });
                     return Err(DesignError::at("segments", problem));
                 }
                 return Ok(heights);
@@ -168,7 +189,10 @@ impl Design {
             _ => {}
         }
         if misses(last) {
-            return Err(DesignError::at("segments", Problem::Closing { found: last.to_f64(), measure }));
+            return Err(DesignError::at(
+                "segments",
+                Problem::Program(ProgramRefusal::Closing { found: last.to_f64(), measure }),
+            ));
         }
         if let Some(k) = self.segments.iter().rposition(|segment| !segment.law.is_dwell()) {
             heights[k + 1..].fill(Decimal::default());
@@ -254,9 +278,9 @@ impl Design {
         let measure = self.travel();
         let edge = |value: f64| if self.is_oscillating() { value.to_degrees() } else { value };
         let (path, problem) = match problem {
-            ProgramProblem::Count { found: 0 } => ("segments".into(), Problem::NoSegments),
+            ProgramProblem::Count { found: 0 } => ("segments".into(), Problem::Program(ProgramRefusal::NoSegments)),
             ProgramProblem::Count { found } => {
-                ("segments".into(), Problem::TooManySegments { found, limit: MAX_SEGMENTS })
+                ("segments".into(), Problem::Program(ProgramRefusal::TooManySegments { found, limit: MAX_SEGMENTS }))
             }
             ProgramProblem::Beta { found } => {
                 let found = if self.kind.travel().is_some() { found } else { found.to_degrees() };
@@ -264,21 +288,29 @@ impl Design {
             }
             ProgramProblem::Rise { found } => (here.join("rise"), out_of_range(edge(found), &RISE, measure)),
             ProgramProblem::DwellRises { found } => {
-                (here.join("rise"), Problem::DwellRises { found: edge(found), measure })
+                (here.join("rise"), Problem::Program(ProgramRefusal::DwellRises { found: edge(found), measure }))
             }
-            ProgramProblem::AdjacentPolynomials { next } => (here.join("law"), Problem::AdjacentPolynomials { next }),
+            ProgramProblem::AdjacentPolynomials { next } => {
+                (here.join("law"), Problem::Program(ProgramRefusal::AdjacentPolynomials { next }))
+            }
             ProgramProblem::Turn { found } => {
                 let found = if self.kind.travel().is_some() { found } else { found.to_degrees() };
-                ("segments".into(), Problem::Turn { found, whole: self.kind.whole(), measure: self.stride() })
+                (
+                    "segments".into(),
+                    Problem::Program(ProgramRefusal::Turn { found, whole: self.kind.whole(), measure: self.stride() }),
+                )
             }
             ProgramProblem::Data(problem) => match self.segments.get(segment) {
                 Some(segment) => return data::refusal(&here, segment, problem, self.stride()),
                 None => (here, Problem::Missing),
             },
-            ProgramProblem::Closing { found } => ("segments".into(), Problem::Closing { found: edge(found), measure }),
-            ProgramProblem::BelowBase { found } => {
-                (self.place_of_rise(segment), Problem::BelowBase { found: edge(found), measure })
+            ProgramProblem::Closing { found } => {
+                ("segments".into(), Problem::Program(ProgramRefusal::Closing { found: edge(found), measure }))
             }
+            ProgramProblem::BelowBase { found } => (
+                self.place_of_rise(segment),
+                Problem::Program(ProgramRefusal::BelowBase { found: edge(found), measure }),
+            ),
             ProgramProblem::Parameter { key, found, min, max } => {
                 let parameters = self.segments.get(segment).map_or(&[][..], |segment| segment.law.parameters);
                 let (measure, edge) = edge_of(parameters, key);
@@ -298,7 +330,7 @@ fn geometry_error(parameters: &[Parameter], GeometryError { key, problem }: Geom
     let (measure, edge) = edge_of(parameters, key);
     let problem = match problem {
         GeometryProblem::NotFinite => Problem::NotFinite,
-        GeometryProblem::Unsuited => Problem::Unsuited { kind: CamKind::WORDS[3] },
+        GeometryProblem::Unsuited => Problem::Cam(CamRefusal::Unsuited { kind: CamKind::WORDS[3] }),
         GeometryProblem::NotPositive { found } => Problem::NotPositive { found: edge(found), measure },
         GeometryProblem::Outside { found, min, max } => {
             Problem::NotBetween { found: edge(found), min: edge(min), max: edge(max), measure }

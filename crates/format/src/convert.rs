@@ -5,7 +5,8 @@ mod formula;
 use crate::application::TargetsBy;
 use crate::decimal::Decimal;
 use crate::{
-    ApplicationDesign, CamKind, Conjugate, Design, DesignError, LengthUnit, Problem, SegmentDesign, Speed, SpeedUnit,
+    ApplicationDesign, CamKind, CamRefusal, Conjugate, Design, DesignError, LengthUnit, Problem, ProgramRefusal,
+    SegmentDesign, Speed, SpeedUnit,
 };
 use levalab_core::application::Magnitude;
 use levalab_core::law::{Condition, Data};
@@ -43,7 +44,10 @@ impl Design {
     pub fn in_speed_unit(&self, unit: SpeedUnit) -> Result<Self, DesignError> {
         let travels = SpeedUnit::LengthPerSecond;
         if (unit == travels) != (self.speed.unit == travels) {
-            return Err(DesignError::at(["speed", "unit"], Problem::Unsuited { kind: self.kind.word() }));
+            return Err(DesignError::at(
+                ["speed", "unit"],
+                Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() }),
+            ));
         }
         let (from, to) = sizes(self.speed.unit, unit);
         let design = Self { speed: Speed { value: between(self.speed.value, from, to), unit }, ..self.clone() };
@@ -55,12 +59,13 @@ impl Design {
     fn close(&mut self, missed: &Problem) {
         let less = |value: &mut f64, more: f64| *value = (Decimal::of(*value) - Decimal::of(more)).to_f64();
         match *missed {
-            Problem::Turn { found, whole, .. } => {
+            Problem::Program(ProgramRefusal::Turn { found, whole, .. }) => {
                 if let Some(last) = self.segments.last_mut() {
                     less(&mut last.beta, found - whole);
                 }
             }
-            Problem::Closing { found, .. } | Problem::BreadthTravel { found, .. } => {
+            Problem::Program(ProgramRefusal::Closing { found, .. })
+            | Problem::Cam(CamRefusal::BreadthTravel { found, .. }) => {
                 let above = found - self.breadth_travel().unwrap_or(0.0);
                 let last =
                     self.segments.iter_mut().rfind(|segment| segment.rise != 0.0 || segment.law.free().is_some());

@@ -3,7 +3,7 @@
 use crate::cure::short_within;
 use crate::limits::{ANGLE, SIZE};
 use crate::report::Report;
-use crate::{Design, DesignError, Measure, Path, Problem};
+use crate::{CamRefusal, Design, DesignError, Measure, Path, Problem};
 use levalab_core::{
     Analysis, Cam, GeometryError, GeometryProblem, Motion, Tie, balanced_tie, conjugate, nearest_tie, working_ties,
 };
@@ -93,7 +93,7 @@ impl Design {
         let Some(pair) = self.conjugate else { return Ok(None) };
         let at = |key: &'static str| Path::from(["conjugate", key]);
         if self.kind.travel().is_some() || first.closure == levalab_core::Closure::Groove {
-            return Err(DesignError::at("conjugate", Problem::Unsuited { kind: self.kind.word() }));
+            return Err(DesignError::at("conjugate", Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() })));
         }
         if !Conjugate::tie_keys(self).contains(&pair.tie.key()) {
             return Err(DesignError::at(
@@ -117,13 +117,13 @@ impl Design {
             let edge = |value: f64| if measure == Measure::Degrees { value.to_degrees() } else { value };
             let problem = match problem {
                 GeometryProblem::Outside { found, min, max } if max.is_infinite() => {
-                    Problem::TooClose { found: edge(found), least: edge(min) }
+                    Problem::Cam(CamRefusal::TooClose { found: edge(found), least: edge(min) })
                 }
                 GeometryProblem::Outside { found, min, max } => {
                     Problem::NotBetween { found: edge(found), min: edge(min), max: edge(max), measure }
                 }
                 GeometryProblem::NotPositive { found } => Problem::NotPositive { found, measure: Measure::Length },
-                _ => Problem::Unsuited { kind: self.kind.word() },
+                _ => Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() }),
             };
             DesignError::at(at(key), problem)
         };

@@ -6,8 +6,8 @@ use crate::design::{default_of, motion_and_contact};
 use crate::limits::MAX_SEGMENTS;
 use crate::write::{FORMAT, ROTATIONS};
 use crate::{
-    BreadthGenerator, CamKind, Conjugate, Design, DesignError, Kind, LengthUnit, Notation, Path, Problem,
-    SegmentDesign, Speed, SpeedUnit, json,
+    BreadthGenerator, CamKind, CamRefusal, Conjugate, Design, DesignError, Kind, LengthUnit, Notation, Path, Problem,
+    ProgramRefusal, SegmentDesign, Speed, SpeedUnit, json,
 };
 use levalab_core::law::MAX_LAW_PARAMETERS;
 use levalab_core::{
@@ -138,7 +138,7 @@ fn read_kind(cam: &Object) -> Result<CamKind, DesignError> {
 fn read_sides(field: &Field) -> Result<u32, DesignError> {
     let found = field.number()?;
     let whole = found.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&found);
-    let problem = Problem::Sides { found, most: f64::from(MAX_SIDES) };
+    let problem = Problem::Cam(CamRefusal::Sides { found, most: f64::from(MAX_SIDES) });
     if whole { Ok(found as u32) } else { Err(DesignError { path: field.path.clone(), problem }) }
 }
 
@@ -195,7 +195,7 @@ fn read_segments(file: &Object) -> Result<Vec<SegmentDesign>, DesignError> {
     let list = file.required("segments")?;
     let Value::Array(items) = list.value else { return Err(list.wrong_kind(Kind::List)) };
     if items.len() > MAX_SEGMENTS {
-        let problem = Problem::TooManySegments { found: items.len(), limit: MAX_SEGMENTS };
+        let problem = Problem::Program(ProgramRefusal::TooManySegments { found: items.len(), limit: MAX_SEGMENTS });
         return Err(DesignError { path: list.path, problem });
     }
     let each = items.iter().enumerate().map(|(k, item)| read_segment(&Object::any(item, list.path.join(k))?));

@@ -2,7 +2,7 @@
 
 use levalab_core::{ExpressionFault, Misfit};
 use levalab_format::limits::{MAX_FILE_BYTES, MAX_SEGMENTS};
-use levalab_format::{DataRefusal, Design, DesignError, Kind, Measure, Problem, example};
+use levalab_format::{CamRefusal, DataRefusal, Design, DesignError, Kind, Measure, Problem, ProgramRefusal, example};
 use serde_json::{Value, json};
 
 /// Example 9RT with one place changed; `null` as a value takes the field out.
@@ -134,14 +134,16 @@ fn numbers_out_of_range_are_told_with_the_range() {
 #[test]
 fn sums_are_those_of_the_decimals() {
     check("/segments/1/beta", json!(41), "segments", |problem| {
-        *problem == Problem::Turn { found: 361.0, whole: 360.0, measure: Measure::Degrees }
+        *problem == Problem::Program(ProgramRefusal::Turn { found: 361.0, whole: 360.0, measure: Measure::Degrees })
     });
-    check("/segments/1/beta", json!(40.000_000_002), "segments", |problem| matches!(problem, Problem::Turn { .. }));
+    check("/segments/1/beta", json!(40.000_000_002), "segments", |problem| {
+        matches!(problem, Problem::Program(ProgramRefusal::Turn { .. }))
+    });
     check("/segments/6/rise", json!(-9), "segments", |problem| {
-        *problem == Problem::Closing { found: 1.0, measure: Measure::Length }
+        *problem == Problem::Program(ProgramRefusal::Closing { found: 1.0, measure: Measure::Length })
     });
     check("/segments/2/rise", json!(-11), "segments[2].rise", |problem| {
-        *problem == Problem::BelowBase { found: -1.0, measure: Measure::Length }
+        *problem == Problem::Program(ProgramRefusal::BelowBase { found: -1.0, measure: Measure::Length })
     });
     let within = |place: &str, value: f64| {
         let mut design = example("9RT").expect("9RT").to_value();
@@ -167,15 +169,17 @@ fn tenths_of_large_lifts_close_as_on_paper() {
 
 #[test]
 fn programs_that_cannot_be_are_placed() {
-    check("/segments", json!([]), "segments", |problem| *problem == Problem::NoSegments);
+    check("/segments", json!([]), "segments", |problem| *problem == Problem::Program(ProgramRefusal::NoSegments));
     let many = vec![json!({"law": "dwell", "beta": 5.625}); MAX_SEGMENTS + 1];
     check("/segments", json!(many), "segments", |problem| {
-        matches!(problem, Problem::TooManySegments { found: 65, .. })
+        matches!(problem, Problem::Program(ProgramRefusal::TooManySegments { found: 65, .. }))
     });
-    check("/segments/1/rise", json!(1), "segments[1].rise", |problem| matches!(problem, Problem::DwellRises { .. }));
+    check("/segments/1/rise", json!(1), "segments[1].rise", |problem| {
+        matches!(problem, Problem::Program(ProgramRefusal::DwellRises { .. }))
+    });
     let free = |beta: f64, rise: f64| json!({"law": "polynomial-5", "beta": beta, "rise": rise});
     check("/segments", json!([free(180.0, 1.0), free(180.0, -1.0)]), "segments[0].law", |problem| {
-        *problem == Problem::AdjacentPolynomials { next: 1 }
+        *problem == Problem::Program(ProgramRefusal::AdjacentPolynomials { next: 1 })
     });
     let scca = json!([{"law": "scca", "beta": 180, "rise": 9, "b": 0.5, "c": 0.7}, {"law": "scca", "beta": 180, "rise": -9, "b": 0.5, "c": 0.2}]);
     check("/segments", scca, "segments[0].c", |problem| {
@@ -360,7 +364,10 @@ fn applications_that_cannot_be_are_placed() {
     assert_eq!(steep.path.to_string(), "application.seat_angle");
     assert!(matches!(steep.problem, Problem::OutOfRange { measure: Measure::Degrees, .. }));
     let swings = refusal_of("2RO", "/application", valve(45.0));
-    assert_eq!((swings.path.to_string().as_str(), swings.problem), ("application", Problem::SwingingApplication));
+    assert_eq!(
+        (swings.path.to_string().as_str(), swings.problem),
+        ("application", Problem::Cam(CamRefusal::SwingingApplication))
+    );
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What LevaLab says about a cam, in English and Spanish, for the page and the command line alike.
 //!
-//! Every sentence is written by hand in each language (`en.rs`, `es.rs`); both say the same things, since a sentence that one of
+//! Every sentence is written by hand in each language (`en/`, `es/`); both say the same things, since a sentence that one of
 //! them lacks does not compile. Numbers are written as the language does ([`Language::number`]).
 //!
 //! ```
@@ -19,8 +19,6 @@
 //! Not here: the labels of the page's own buttons and fields.
 
 mod application;
-mod data_en;
-mod data_es;
 mod en;
 mod es;
 mod join;

@@ -4,7 +4,7 @@ use super::*;
 use levalab_core::{
     Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, LAWS, Level, Misfit,
 };
-use levalab_format::{CamKind, DataRefusal, Kind, Measure, Path, Problem, cures, example};
+use levalab_format::{CamKind, CamRefusal, DataRefusal, Kind, Measure, Path, Problem, ProgramRefusal, cures, example};
 
 fn report(name: &str) -> (Design, Report) {
     let design = example(name).expect(name);
@@ -67,8 +67,8 @@ fn problems() -> Vec<Problem> {
         Problem::NotPositive { found: -3.0, measure: Measure::Length },
         Problem::TitleTooLong { found: 65, limit: 64 },
         Problem::TitleCharacter { found: '\u{202e}', position: 3 },
-        Problem::NoSegments,
-        Problem::TooManySegments { found: 65, limit: 64 },
+        Problem::Program(ProgramRefusal::NoSegments),
+        Problem::Program(ProgramRefusal::TooManySegments { found: 65, limit: 64 }),
         Problem::Join(levalab_core::JoinProblem::Nothing),
         Problem::Join(levalab_core::JoinProblem::TooMany),
         Problem::Join(levalab_core::JoinProblem::Place),
@@ -77,7 +77,7 @@ fn problems() -> Vec<Problem> {
         Problem::Join(levalab_core::JoinProblem::Low),
         Problem::Join(levalab_core::JoinProblem::StartsHigh),
         Problem::Join(levalab_core::JoinProblem::NoWay),
-        Problem::DwellRises { found: 1.5, measure },
+        Problem::Program(ProgramRefusal::DwellRises { found: 1.5, measure }),
         DataRefusal::WrongOrder { found: 2.5 }.into(),
         DataRefusal::WrongCount { found: 0, min: 1, max: 24 }.into(),
         DataRefusal::WrongCount { found: 25, min: 1, max: 24 }.into(),
@@ -101,21 +101,21 @@ fn problems() -> Vec<Problem> {
         fault(ExpressionFault::NoArgument("sin".to_owned())),
         fault(ExpressionFault::Number),
         DataRefusal::RiseDisagrees { found: 10.0, expected: 9.5, measure }.into(),
-        Problem::AdjacentPolynomials { next: 2 },
-        Problem::Turn { found: 359.0, whole: 360.0, measure },
-        Problem::Turn { found: 170.0, whole: 180.0, measure },
-        Problem::Turn { found: 95.5, whole: 100.0, measure: Measure::Length },
-        Problem::Unsuited { kind: "translating" },
-        Problem::OffCentre { found: 3.0, measure: Measure::Length, kind: "constant-breadth" },
-        Problem::Breadth { found: 60.0, base_radius: 30.0 },
-        Problem::BreadthTravel { found: 9.0, travel: 10.0, breadth: 70.0, base_radius: 30.0 },
-        Problem::Sides { found: 4.0, most: 31.0 },
-        Problem::SharpArcs { found: 10.0, least: 42.26, half: 50.0 },
-        Problem::TooClose { found: 70.0, least: 74.0 },
-        Problem::SwingingApplication,
+        Problem::Program(ProgramRefusal::AdjacentPolynomials { next: 2 }),
+        Problem::Program(ProgramRefusal::Turn { found: 359.0, whole: 360.0, measure }),
+        Problem::Program(ProgramRefusal::Turn { found: 170.0, whole: 180.0, measure }),
+        Problem::Program(ProgramRefusal::Turn { found: 95.5, whole: 100.0, measure: Measure::Length }),
+        Problem::Cam(CamRefusal::Unsuited { kind: "translating" }),
+        Problem::Cam(CamRefusal::OffCentre { found: 3.0, measure: Measure::Length, kind: "constant-breadth" }),
+        Problem::Cam(CamRefusal::Breadth { found: 60.0, base_radius: 30.0 }),
+        Problem::Cam(CamRefusal::BreadthTravel { found: 9.0, travel: 10.0, breadth: 70.0, base_radius: 30.0 }),
+        Problem::Cam(CamRefusal::Sides { found: 4.0, most: 31.0 }),
+        Problem::Cam(CamRefusal::SharpArcs { found: 10.0, least: 42.26, half: 50.0 }),
+        Problem::Cam(CamRefusal::TooClose { found: 70.0, least: 74.0 }),
+        Problem::Cam(CamRefusal::SwingingApplication),
         Problem::OneOf { expected: vec!["angle", "base_radius"] },
-        Problem::Closing { found: 0.1, measure },
-        Problem::BelowBase { found: -0.1, measure },
+        Problem::Program(ProgramRefusal::Closing { found: 0.1, measure }),
+        Problem::Program(ProgramRefusal::BelowBase { found: -0.1, measure }),
         Problem::Misfit(Misfit::Eccentricity { eccentricity: 42.0, prime_radius: 42.0 }),
         Problem::Misfit(Misfit::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 }),
         Problem::Misfit(Misfit::FaceOutOfReach { pivot_distance: 30.0, needed: 40.0 }),
@@ -134,7 +134,10 @@ fn links() -> Vec<LinkError> {
         LinkError::Damaged,
         LinkError::Version { found: "2".to_owned() },
         LinkError::Unreadable,
-        LinkError::Design(DesignError { path: Path::from("segments"), problem: Problem::NoSegments }),
+        LinkError::Design(DesignError {
+            path: Path::from("segments"),
+            problem: Problem::Program(ProgramRefusal::NoSegments),
+        }),
     ]
 }
 
@@ -252,7 +255,7 @@ fn the_pressure_angle_of_a_textbook_is_told_with_its_cure() {
 #[test]
 fn numbers_agree_with_their_nouns() {
     let told = |language, found| {
-        let problem = Problem::Turn { found, whole: 360.0, measure: Measure::Degrees };
+        let problem = Problem::Program(ProgramRefusal::Turn { found, whole: 360.0, measure: Measure::Degrees });
         design_error(language, &DesignError { path: Path::default(), problem })
     };
     assert_eq!(told(Language::Es, 359.0), "Los tramos suman 359°: falta 1° para una vuelta completa.");

@@ -2,7 +2,9 @@
 
 use super::rounded;
 use crate::testing::{self, Random};
-use crate::{CamKind, DataRefusal, Design, EXAMPLES, LengthUnit, Problem, SegmentDesign, SpeedUnit, example};
+use crate::{
+    CamKind, DataRefusal, Design, EXAMPLES, LengthUnit, Problem, ProgramRefusal, SegmentDesign, SpeedUnit, example,
+};
 use levalab_core::application::Magnitude;
 use levalab_core::law::Data;
 use levalab_core::{Analysis, Column, Law};
@@ -22,7 +24,9 @@ fn is_out_of_range(problem: &Problem, design: &Design, unit: LengthUnit) -> bool
     let largest = design.segments.iter().map(|segment| segment.rise.abs()).fold(design.base_radius, f64::max);
     match problem {
         Problem::OutOfRange { .. } | Problem::Data(DataRefusal::Expression(_)) => true,
-        Problem::Closing { .. } | Problem::BelowBase { .. } => largest * size(design.length_unit) / size(unit) > HUGE,
+        Problem::Program(ProgramRefusal::Closing { .. } | ProgramRefusal::BelowBase { .. }) => {
+            largest * size(design.length_unit) / size(unit) > HUGE
+        }
         _ => false,
     }
 }

@@ -3,8 +3,8 @@
 use super::{LinkError, application, codes, data, defaults_of, title, usual_speed_unit};
 use crate::limits::MAX_SEGMENTS;
 use crate::{
-    BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Problem, SegmentDesign, Speed,
-    SpeedUnit,
+    BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Problem, ProgramRefusal,
+    SegmentDesign, Speed, SpeedUnit,
 };
 use levalab_core::{Generator, Rotation};
 
@@ -15,7 +15,8 @@ pub(super) fn read(fields: &str) -> Result<Design, LinkError> {
     let mut fields = Fields(fields);
     let design = fields.design().ok_or(LinkError::Unreadable)?;
     if design.segments.len() > MAX_SEGMENTS {
-        let problem = Problem::TooManySegments { found: design.segments.len(), limit: MAX_SEGMENTS };
+        let problem =
+            Problem::Program(ProgramRefusal::TooManySegments { found: design.segments.len(), limit: MAX_SEGMENTS });
         return Err(LinkError::Design(DesignError::at("segments", problem)));
     }
     if fields.0.is_empty() { Ok(design) } else { Err(LinkError::Unreadable) }

@@ -3,7 +3,7 @@
 use super::{LinkError, decode, encode, within};
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::testing::{self, Random};
-use crate::{Design, Notation, Problem, SegmentDesign, example};
+use crate::{Design, Notation, Problem, ProgramRefusal, SegmentDesign, example};
 use levalab_core::Law;
 use proptest::prelude::*;
 
@@ -118,11 +118,13 @@ fn each_refusal_has_its_own_reason() {
     assert_eq!(decode(&sealed("1.a")), Err(LinkError::Unreadable));
     let refused = decode(&sealed("1.a.R35_7D350")).expect_err("ten degrees short");
     assert!(
-        matches!(refused, LinkError::Design(error) if error.problem == Problem::Turn { found: 350.0, whole: 360.0, measure: crate::Measure::Degrees })
+        matches!(refused, LinkError::Design(error) if error.problem == Problem::Program(ProgramRefusal::Turn { found: 350.0, whole: 360.0, measure: crate::Measure::Degrees }))
     );
     let many = "D5.625".repeat(65);
     let refused = decode(&sealed(&format!("1.a.R35_7{many}"))).expect_err("too many");
-    assert!(matches!(refused, LinkError::Design(error) if matches!(error.problem, Problem::TooManySegments { .. })));
+    assert!(
+        matches!(refused, LinkError::Design(error) if matches!(error.problem, Problem::Program(ProgramRefusal::TooManySegments { .. })))
+    );
 }
 
 #[test]

@@ -1,13 +1,11 @@
 //! What is wrong with the data of a free law, in English.
 
-use crate::Language;
+use super::EN;
 use crate::voice::{measured, row};
 use levalab_core::{ExpressionFault, ExpressionProblem};
 use levalab_format::{DataRefusal, quoted};
 
-const EN: Language = Language::En;
-
-pub(crate) fn refusal(refusal: &DataRefusal) -> String {
+pub(super) fn refusal(refusal: &DataRefusal) -> String {
     match refusal {
         DataRefusal::WrongOrder { found } => {
             format!("The order must be 0 for s, 1 for v, 2 for a or 3 for j, and it is {}.", EN.exact(*found))

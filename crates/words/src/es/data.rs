@@ -1,13 +1,11 @@
 //! What is wrong with the data of a free law, in Spanish.
 
-use crate::Language;
+use super::ES;
 use crate::voice::{measured, row};
 use levalab_core::{ExpressionFault, ExpressionProblem};
 use levalab_format::{DataRefusal, quoted};
 
-const ES: Language = Language::Es;
-
-pub(crate) fn refusal(refusal: &DataRefusal) -> String {
+pub(super) fn refusal(refusal: &DataRefusal) -> String {
     match refusal {
         DataRefusal::WrongOrder { found } => {
             format!("El orden tiene que ser 0 para s, 1 para v, 2 para a o 3 para j, y es {}.", ES.exact(*found))

@@ -1,0 +1,163 @@
+//! What is found in a cam, and what would put it right, in English.
+
+use super::EN;
+use crate::Units;
+use crate::voice::{Figures, by_law, row};
+use levalab_core::{Column, FindingKind, Level, Tie};
+use levalab_format::Remedy;
+use levalab_format::report::DesignFinding;
+
+pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
+    let Figures { at, span, other, count, value, limit } = Figures::of(finding, units, EN);
+    let along = |(from, to): (String, String)| format!("From {from} to {to}");
+    let around = span.map_or_else(|| format!("At {at}"), along);
+    let where_and_how_much = if count > 1 {
+        format!("jumps at {count} joints, by up to {value} at {at}")
+    } else {
+        format!("jumps by {value} at {at}")
+    };
+    match finding.kind {
+        FindingKind::Jump(0) => {
+            format!("The displacement {where_and_how_much}: the follower would be in two places at once.")
+        }
+        FindingKind::Jump(1) => format!("The velocity {where_and_how_much}: an infinite acceleration, a blow."),
+        FindingKind::Jump(2) if finding.level == Level::Acceptable => {
+            format!(
+                "The acceleration {where_and_how_much}; tolerated here alone, because the yoke touches both sides and cannot lift off."
+            )
+        }
+        FindingKind::Jump(_) if finding.level == Level::Acceptable => {
+            format!("The jerk {where_and_how_much}; tolerated in a cam that is held on both sides.")
+        }
+        FindingKind::Jump(2) => {
+            format!("The acceleration {where_and_how_much}: the forces change at a stroke and the follower vibrates.")
+        }
+        FindingKind::Jump(_) => {
+            let moves = if units.travels { "travels" } else { "turns" };
+            format!(
+                "The jerk {where_and_how_much}: harmless when the cam {moves} slowly, vibration when it {moves} fast."
+            )
+        }
+        FindingKind::PressureAngle => {
+            let motion = if units.oscillating { "an oscillating" } else { "a translating" };
+            format!("The pressure angle reaches {value} at {at}, above the {limit} that {motion} follower tolerates.")
+        }
+        FindingKind::Cusp => {
+            format!(
+                "The profile comes to a point at {at}: its radius of curvature is zero, and it would soon wear away."
+            )
+        }
+        FindingKind::Undercut => {
+            format!(
+                "{around} the profile is undercut: the radius of curvature would fall to {value} at {at}, and a roller of this size cannot follow."
+            )
+        }
+        FindingKind::GrooveUndercut => {
+            format!(
+                "{around} the outer wall of the groove is undercut: the pitch curve is hollow with a radius of {value} at {at}, less than the roller's {limit}."
+            )
+        }
+        FindingKind::ConcaveFlat => {
+            format!(
+                "{around} the profile would have to be hollow, which a flat face cannot touch: the radius of curvature falls to {value} at {at}."
+            )
+        }
+        FindingKind::Doubtful => {
+            format!(
+                "{around} the conditions hardly determine the curve: the least rounding of one of them changes its shape, and its figures cannot be trusted."
+            )
+        }
+        FindingKind::BelowBase => {
+            let base = if units.travels { "line" } else { "circle" };
+            format!("The follower goes below the base {base}, down to {value} at {at}.")
+        }
+        FindingKind::SelfCrossing => {
+            format!("The profile crosses itself: it goes through the same point at {at} and at {other}.")
+        }
+        FindingKind::ArmCutsCam if units.oscillating => {
+            format!("At {at} the arm of the follower would cut {value} deep into the cam.")
+        }
+        FindingKind::ArmCutsCam => format!("At {at} the stem of the follower would cut {value} deep into the cam."),
+        FindingKind::PivotInsideCam => {
+            format!(
+                "The cam sweeps over the pivot: at {at} it reaches {value} from its centre, and the pivot is at {limit}."
+            )
+        }
+        FindingKind::FaceOvertaken => {
+            format!(
+                "At {at} the face turns {value} times as fast as the cam and in its sense, so that the contact runs away along it."
+            )
+        }
+        FindingKind::ContactPastPivot => {
+            format!("{around} the contact would be on the other side of the pivot, {value} along the face at {at}.")
+        }
+    }
+}
+
+pub(super) fn cure(finding: &DesignFinding, remedy: &Remedy, units: Units) -> String {
+    match remedy {
+        Remedy::BaseRadius { value, grows } => {
+            let sign = if *grows { '≥' } else { '=' };
+            format!("With Rb {sign} {} {}.", units.length(*value, EN), passing(finding.kind, units))
+        }
+        Remedy::Travel { value } => {
+            format!("With a travel of {} {}.", units.length(*value, EN), passing(finding.kind, units))
+        }
+        Remedy::Tie { tie, grows } => {
+            let sign = if *grows { '≥' } else { '≤' };
+            let what = match tie {
+                Tie::Distance(value) => format!("a distance {sign} {}", units.length(*value, EN)),
+                Tie::Angle(value) => format!("an angle {sign} {} between the arms", EN.angle_exact(*value)),
+                Tie::BaseRadius(value) => format!("a second base radius {sign} {}", units.length(*value, EN)),
+            };
+            format!("With {what} {}.", passing(finding.kind, units))
+        }
+        Remedy::Eccentricity { value, pressure_angle } => {
+            let (e, angle) = (units.length(*value, EN), EN.angle(*pressure_angle));
+            if finding.limit.is_some_and(|limit| *pressure_angle <= limit) {
+                format!("With an eccentricity of {e} it stays within {angle}.")
+            } else {
+                format!("With an eccentricity of {e} it falls to {angle}.")
+            }
+        }
+        Remedy::Laws { changes, remaining_jump } => {
+            let groups = by_law(changes)
+                .into_iter()
+                .map(|(law, segments)| format!("the {} law {}", crate::law(EN, law), in_segments(&segments)));
+            let groups: Vec<String> = groups.collect();
+            let result = match (finding.kind, remaining_jump) {
+                (FindingKind::BelowBase, _) => "the follower stays above the base circle",
+                (_, None) => "nothing jumps any more",
+                (_, Some(Column::J)) => "only the jerk still jumps",
+                (_, Some(_)) => "this jump is gone",
+            };
+            format!("With {} {result}.", row(&groups, "and"))
+        }
+    }
+}
+
+/// What another base circle brings, after it has been named.
+fn passing(kind: FindingKind, units: Units) -> &'static str {
+    match kind {
+        FindingKind::PressureAngle => "it stays below",
+        FindingKind::Cusp | FindingKind::Undercut => "the profile has neither cusps nor undercuts",
+        FindingKind::GrooveUndercut => "neither wall of the groove is undercut",
+        FindingKind::ConcaveFlat => "the flat face touches the whole profile",
+        FindingKind::SelfCrossing => "the profile no longer crosses itself",
+        FindingKind::ArmCutsCam if units.oscillating => "the arm clears the cam",
+        FindingKind::ArmCutsCam => "the stem clears the cam",
+        FindingKind::PivotInsideCam => "the cam clears the pivot",
+        FindingKind::FaceOvertaken => "the face keeps its contact",
+        FindingKind::ContactPastPivot => "the contact stays on its side of the pivot",
+        FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::Doubtful => "the cam is sound",
+    }
+}
+
+fn in_segments(segments: &[usize]) -> String {
+    const NAMED: usize = 8;
+    match segments {
+        [one] => format!("in segment {one}"),
+        many if many.len() > NAMED => format!("in {} segments", many.len()),
+        many => format!("in segments {}", row(&many.iter().map(usize::to_string).collect::<Vec<_>>(), "and")),
+    }
+}

@@ -1,0 +1,181 @@
+//! What is wrong with a design, in English.
+
+use super::{EN, data};
+use crate::voice::{measured, row};
+use levalab_core::Misfit;
+use levalab_format::{CamRefusal, Kind, Measure, Problem, ProgramRefusal, quoted};
+
+pub(super) fn problem(problem: &Problem) -> String {
+    match problem {
+        Problem::FileTooLarge { bytes, limit } => {
+            format!(
+                "The file has {} bytes; no design has more than {}.",
+                EN.exact(*bytes as f64),
+                EN.exact(*limit as f64)
+            )
+        }
+        Problem::NotText => "The file is not text in UTF-8.".to_owned(),
+        Problem::NotJson { line, column } => {
+            format!("The text is not JSON from line {line}, column {} on.", (*column).max(1))
+        }
+        Problem::NotFinite => "The number is too large to be held.".to_owned(),
+        Problem::WrongKind { found, expected } => {
+            format!("There should be {} here, and there is {}.", kind(*expected), kind(*found))
+        }
+        Problem::Missing => "This field is missing.".to_owned(),
+        Problem::UnknownField { expected } => {
+            format!("This field has no meaning here; those that have are {}.", row_of(expected))
+        }
+        Problem::DuplicateField => "This field is there twice.".to_owned(),
+        Problem::WrongWord { found, expected } => match expected.as_slice() {
+            [only] => format!("{} is not known here; it can only be {only}.", quoted(found)),
+            _ => format!("{} is none of the choices: {}.", quoted(found), expected.join(", ")),
+        },
+        Problem::OutOfRange { found, min, max, measure } => {
+            let [found, min, max] = [found, min, max].map(|value| measured(*value, *measure, EN));
+            format!("{found} is out of range: it must be from {min} to {max}.")
+        }
+        Problem::NotBetween { found, min, max, measure } => {
+            let [found, min, max] = [found, min, max].map(|value| measured(*value, *measure, EN));
+            format!("{found} is out of range: it must be more than {min} and less than {max}.")
+        }
+        Problem::NotPositive { found, measure } => {
+            format!("It must be more than zero, and it is {}.", measured(*found, *measure, EN))
+        }
+        Problem::TitleTooLong { found, limit } => {
+            format!("The title has {found} characters; there is room for {limit}.")
+        }
+        Problem::TitleCharacter { found, position } => {
+            format!("Character {position} of the title (U+{:04X}) cannot be seen.", u32::from(*found))
+        }
+        Problem::OneOf { expected } => format!("Only one of {} can be given.", row_of(expected)),
+        Problem::Program(refusal) => program(*refusal),
+        Problem::Data(refusal) => data::refusal(refusal),
+        Problem::Join(problem) => crate::join::problem(EN, *problem),
+        Problem::Misfit(problem) => misfit(*problem),
+        Problem::Cam(refusal) => cam(*refusal),
+    }
+}
+
+/// Segments that make no program.
+fn program(refusal: ProgramRefusal) -> String {
+    match refusal {
+        ProgramRefusal::NoSegments => "There are no segments; at least one is needed.".to_owned(),
+        ProgramRefusal::TooManySegments { found, limit } => {
+            format!("There are {found} segments; there is room for {limit}.")
+        }
+        ProgramRefusal::DwellRises { found, measure } => {
+            format!("A dwell cannot rise, and this one rises {}.", measured(found, measure, EN))
+        }
+        ProgramRefusal::AdjacentPolynomials { next } => {
+            format!(
+                "It takes its end conditions from its neighbours, and so does segment {}: they cannot be side by side.",
+                next + 1
+            )
+        }
+        ProgramRefusal::Turn { found, whole, measure } => {
+            let missing = whole - found;
+            let (sum, difference) = (measured(found, measure, EN), measured(missing.abs(), measure, EN));
+            let rest = match (measure, missing > 0.0) {
+                (Measure::Degrees, true) => "too few",
+                (Measure::Degrees, false) => "too many",
+                (_, true) => "too short",
+                (_, false) => "too long",
+            };
+            let cycle = match (measure, whole < 360.0) {
+                (Measure::Degrees, false) => "a whole turn".to_owned(),
+                (Measure::Degrees, true) => "half a turn, which its image completes".to_owned(),
+                _ => format!("a travel of {}", EN.exact(whole)),
+            };
+            format!("The segments add up to {sum}, {difference} {rest} for {cycle}.")
+        }
+        ProgramRefusal::Closing { found, measure } => {
+            let height = measured(found, measure, EN);
+            format!("The rises add up to {height}; they must add up to 0, so that the turn ends where it begins.")
+        }
+        ProgramRefusal::BelowBase { found, measure } => {
+            format!("The follower would end at {}, below the base circle.", measured(found, measure, EN))
+        }
+    }
+}
+
+/// Lengths that do not go together.
+fn misfit(misfit: Misfit) -> String {
+    match misfit {
+        Misfit::Eccentricity { eccentricity, prime_radius } => {
+            let (e, radius) = (EN.exact(eccentricity), EN.exact(prime_radius));
+            format!("An eccentricity of {e} is too large: it must be less than the prime radius, {radius}.")
+        }
+        Misfit::Triangle { pivot_distance, arm, prime_radius } => {
+            let [m, arm, radius] = [pivot_distance, arm, prime_radius].map(|value| EN.exact(value));
+            format!(
+                "A pivot at {m}, an arm of {arm} and a prime radius of {radius} make no triangle: each must be less than the other two together."
+            )
+        }
+        Misfit::FaceOutOfReach { pivot_distance, needed } => {
+            let (m, needed) = (EN.exact(pivot_distance), EN.exact(needed));
+            format!("From a pivot at {m} the face cannot touch the base circle: it must be at more than {needed}.")
+        }
+    }
+}
+
+/// What a kind of cam does not have.
+fn cam(refusal: CamRefusal) -> String {
+    match refusal {
+        CamRefusal::Unsuited { kind } => {
+            format!("It has no place on a {}.", crate::cam_kind(EN, kind))
+        }
+        CamRefusal::OffCentre { found, measure, kind } => {
+            format!(
+                "On a {} the follower must be in line: this must be 0, and it is {}.",
+                crate::cam_kind(EN, kind),
+                measured(found, measure, EN)
+            )
+        }
+        CamRefusal::Breadth { found, base_radius } => {
+            let (breadth, twice) = (EN.exact(found), EN.exact(2.0 * base_radius));
+            format!(
+                "A breadth of {breadth} leaves no travel: breadth = 2·Rb + travel, so it must be more than {twice}."
+            )
+        }
+        CamRefusal::BreadthTravel { found, travel, breadth, base_radius } => {
+            let [found, travel, breadth, radius] = [found, travel, breadth, base_radius].map(|v| EN.exact(v));
+            format!(
+                "Over half a turn the follower must rise by breadth − 2·Rb = {breadth} − 2·{radius} = {travel}, and the segments rise by {found}."
+            )
+        }
+        CamRefusal::Sides { found, most } => {
+            let (found, most) = (EN.exact(found), EN.exact(most));
+            format!("A polygon of arcs has an odd number of sides from 3 to {most}, and this one has {found}.")
+        }
+        CamRefusal::SharpArcs { found, least, half } => {
+            let (found, least, half) = (EN.exact(found), EN.number(least), EN.exact(half));
+            format!(
+                "A base radius of {found} is too small for these arcs: it must be from {least} (sharp corners) to less than {half}, half the breadth."
+            )
+        }
+        CamRefusal::TooClose { found, least } => {
+            let (found, least) = (EN.exact(found), EN.number(least));
+            format!("At a distance of {found} there is no room for a second cam: it must be more than {least}.")
+        }
+        CamRefusal::SwingingApplication => {
+            "The displacement of a follower that swings is an angle, and an application is driven by a follower that slides."
+                .to_owned()
+        }
+    }
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Null => "nothing (null)",
+        Kind::Boolean => "true or false",
+        Kind::Number => "a number",
+        Kind::Text => "a text",
+        Kind::List => "a list",
+        Kind::Object => "an object",
+    }
+}
+
+fn row_of(words: &[&str]) -> String {
+    row(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>(), "and")
+}
