@@ -1,11 +1,11 @@
 //! What a design's follower drives: its parameters in the units of the design, the points to hit, and what comes of it.
 
 use crate::check::check_range;
+use crate::fields::{Field, Object};
 use crate::limits::{MAX_TARGETS, OUTPUT, PROPERTY, SEAT_ANGLE, SIZE, TIME};
-use crate::read::{Field, Object};
 use crate::report::{Range, column, tidy};
 use crate::write::number;
-use crate::{CamRefusal, Design, DesignError, LengthUnit, Measure, Path, Problem};
+use crate::{CamRefusal, Design, DesignError, LengthUnit, Measure, Path};
 use levalab_core::application::{
     APPLICATIONS, Application, ApplicationValues, Figure, MAX_APPLICATION_PARAMETERS, Magnitude, Output, OutputLaw,
     Setting,
@@ -253,7 +253,7 @@ impl Design {
     pub(crate) fn check_application(&self) -> Result<(), DesignError> {
         let Some(ApplicationDesign { application, values, by, targets, .. }) = &self.application else { return Ok(()) };
         if self.follower.motion == Motion::Oscillating {
-            return Err(DesignError::at("application", Problem::Cam(CamRefusal::SwingingApplication)));
+            return Err(DesignError::at("application", CamRefusal::SwingingApplication));
         }
         let here = |key: &'static str| Path::from(["application", key]);
         for (setting, &value) in application.parameters.iter().zip(values) {
@@ -269,7 +269,7 @@ impl Design {
             TargetsBy::Time => (TIME, Measure::Ratio),
         };
         if targets.len() > MAX_TARGETS {
-            let problem = crate::DataRefusal::WrongCount { found: targets.len(), min: 0, max: MAX_TARGETS }.into();
+            let problem = crate::DataRefusal::WrongCount { found: targets.len(), min: 0, max: MAX_TARGETS };
             return Err(DesignError::at(here("targets"), problem));
         }
         for (item, &[at, value]) in targets.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! A design from what its machine must do: requirements in place of segments.
 
 use crate::design::Design;
-use crate::limits::{MAX_SEGMENTS, RISE, SWING};
-use crate::read::{Field, Object};
+use crate::fields::{Field, Object};
+use crate::limits::MAX_SEGMENTS;
 use crate::report::tidy;
 use crate::write::segment_value;
 use crate::{CamKind, CamRefusal, DesignError, Path, Problem, SegmentDesign, json};
@@ -36,8 +36,7 @@ pub struct Joined {
 /// # Errors
 /// As for a design file, and where requirements cannot be met.
 pub fn joined_from_bytes(bytes: &[u8]) -> Result<Joined, DesignError> {
-    let not_text = |_| DesignError { path: Path::default(), problem: Problem::NotText };
-    joined(&json::parse(std::str::from_utf8(bytes).map_err(not_text)?)?)
+    joined(&json::parse_bytes(bytes)?)
 }
 
 /// Joins the requirements of an object such as a file holds.
@@ -60,14 +59,13 @@ pub fn joined(value: &Value) -> Result<Joined, DesignError> {
     fields.insert("segments".to_owned(), serde_json::json!([{"law": "dwell", "beta": 360}]));
     let around = Design::read_around(&Value::Object(fields.clone()))?;
     if !matches!(around.kind, CamKind::Rotating | CamKind::Grooved) {
-        return Err(DesignError::at(REQUIREMENTS, Problem::Cam(CamRefusal::Unsuited { kind: around.kind.word() })));
+        return Err(DesignError::at(REQUIREMENTS, CamRefusal::Unsuited { kind: around.kind.word() }));
     }
-    let heights = if around.is_oscillating() { SWING } else { RISE };
-    check_demands(&demands, *heights.end())?;
+    check_demands(&demands, *around.heights().end())?;
 
     let joining = join(&demands, taste).map_err(|JoinError { demand, problem }| {
         let place = if demands.is_empty() { Path::from(REQUIREMENTS) } else { Path::from(REQUIREMENTS).join(demand) };
-        DesignError { path: place, problem: Problem::Join(problem) }
+        DesignError::at(place, Problem::Join(problem))
     })?;
     let segments: Vec<Value> = in_degrees(&joining.segments).iter().map(segment_value).collect();
     fields.insert("segments".to_owned(), segments.into());
@@ -108,7 +106,7 @@ fn check_demands(demands: &[Demand], most: f64) -> Result<(), DesignError> {
             let place = Path::from(REQUIREMENTS).join(k).join("s");
             let measure = crate::Measure::Length;
             let found = heights(&demands[k])[0];
-            Err(DesignError { path: place, problem: Problem::OutOfRange { found, min: 0.0, max: most, measure } })
+            Err(DesignError::at(place, Problem::OutOfRange { found, min: 0.0, max: most, measure }))
         }
         None => Ok(()),
     }

@@ -44,10 +44,7 @@ impl Design {
     pub fn in_speed_unit(&self, unit: SpeedUnit) -> Result<Self, DesignError> {
         let travels = SpeedUnit::LengthPerSecond;
         if (unit == travels) != (self.speed.unit == travels) {
-            return Err(DesignError::at(
-                ["speed", "unit"],
-                Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() }),
-            ));
+            return Err(DesignError::at(["speed", "unit"], CamRefusal::Unsuited { kind: self.kind.word() }));
         }
         let (from, to) = sizes(self.speed.unit, unit);
         let design = Self { speed: Speed { value: between(self.speed.value, from, to), unit }, ..self.clone() };

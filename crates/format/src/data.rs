@@ -1,17 +1,16 @@
 //! What a free law is made from, as design files hold it: degrees along the segment, heights in the unit of the design.
 
-use crate::check::{check_range, measure_of};
+use crate::check::check_range;
 use crate::decimal::Decimal;
-use crate::limits::{DERIVATIVE, RISE, SWING};
-use crate::read::{Field, Object};
+use crate::fields::{Field, Object};
+use crate::limits::DERIVATIVE;
 use crate::report::tidy;
 use crate::write::number;
-use crate::{DataRefusal, DesignError, Kind, Measure, Path, Problem, SegmentDesign};
-use levalab_core::law::{
-    Condition, Data, DataKind, DataProblem, Law, MAX_ORDINATES, MAX_POINTS, MAX_SPLINE_CONDITIONS,
-};
+use crate::{DataRefusal, DesignError, Measure, Path, SegmentDesign};
+use levalab_core::law::{Condition, Data, DataKind, Law, MAX_ORDINATES, MAX_POINTS, MAX_SPLINE_CONDITIONS};
 use levalab_core::{Expression, Quantity};
 use serde_json::Value;
+use std::ops::RangeInclusive;
 
 /// The field of a segment that holds data of a kind.
 pub(crate) fn key(kind: DataKind) -> &'static str {
@@ -24,7 +23,7 @@ pub(crate) fn key(kind: DataKind) -> &'static str {
 }
 
 /// The field of a segment that may hold the knots of a spline.
-const KNOTS: &str = "knots";
+pub(crate) const KNOTS: &str = "knots";
 
 /// The field that a law takes besides the numbers, when it takes one.
 #[must_use]
@@ -72,7 +71,7 @@ fn read_condition(item: &Field) -> Result<Condition, DesignError> {
     let order = condition.required("order")?;
     let found = order.number()?;
     if ![0.0, 1.0, 2.0, 3.0].contains(&found) {
-        return Err(DesignError { path: order.path, problem: DataRefusal::WrongOrder { found }.into() });
+        return Err(DesignError::at(order.path, DataRefusal::WrongOrder { found }));
     }
     let (at, value) = (condition.required("at")?.number()?, condition.required("value")?.number()?);
     Ok(Condition { at, order: found as u8, value })
@@ -117,22 +116,26 @@ fn condition_value(condition: &Condition) -> Value {
 }
 
 /// Refuses numbers out of range, at their places.
-pub(crate) fn check(here: &Path, segment: &SegmentDesign, oscillating: bool) -> Result<(), DesignError> {
-    let (travel, heights) = if oscillating { (Measure::Degrees, &SWING) } else { (Measure::Length, &RISE) };
+pub(crate) fn check(
+    here: &Path,
+    segment: &SegmentDesign,
+    lift: Measure,
+    heights: &RangeInclusive<f64>,
+) -> Result<(), DesignError> {
     let data = &segment.data;
     for (value, parameter) in segment.parameters.iter().zip(segment.law.parameters) {
         if parameter.quantity == Quantity::Height {
-            check_range(here.join(parameter.key), *value, &(0.0..=*heights.end()), travel)?;
+            check_range(here.join(parameter.key), *value, &(0.0..=*heights.end()), lift)?;
         }
     }
     let list = data.kind().map_or_else(Path::default, |kind| here.join(key(kind)));
-    let height = |path: Path, value: f64| check_range(path, value, heights, travel);
+    let height = |path: Path, value: f64| check_range(path, value, heights, lift);
     match data {
         Data::None | Data::Expression(_) => Ok(()),
         Data::Conditions(conditions) | Data::Spline { conditions, .. } => {
             conditions.iter().enumerate().try_for_each(|(item, condition)| {
                 let range = if condition.order == 0 { heights } else { &DERIVATIVE };
-                check_range(list.join(item).join("value"), condition.value, range, travel)
+                check_range(list.join(item).join("value"), condition.value, range, lift)
             })
         }
         Data::Points(points) => {
@@ -176,73 +179,4 @@ pub(crate) fn stretched(segment: &SegmentDesign, beta: f64) -> SegmentDesign {
         Data::Points(points) => points.iter_mut().for_each(|point| point[0] = along(point[0])),
     }
     after
-}
-
-/// What the core refuses in the data of a segment, in the terms of the design; `stride` is what β is measured in.
-pub(crate) fn refusal(here: &Path, segment: &SegmentDesign, problem: DataProblem, stride: Measure) -> DesignError {
-    let Some(key) = data_key(segment.law) else { return DesignError::at(here.clone(), Problem::Missing) };
-    let list = here.join(key);
-    let (path, problem) = match problem {
-        DataProblem::Kind => (list, Problem::Missing),
-        DataProblem::Count { found, min, max } => (list, DataRefusal::WrongCount { found, min, max }.into()),
-        DataProblem::NotFinite { item } => (list.join(item), Problem::NotFinite),
-        DataProblem::Order { item, found } => {
-            (list.join(item).join("order"), DataRefusal::WrongOrder { found: found.into() }.into())
-        }
-        DataProblem::Outside { item, found, beta } => {
-            let problem = Problem::OutOfRange {
-                found: tidy(found / beta * segment.beta),
-                min: 0.0,
-                max: segment.beta,
-                measure: stride,
-            };
-            (list.join(item).join("at"), problem)
-        }
-        DataProblem::Repeated { item, other } => (list.join(item), DataRefusal::Repeated { other }.into()),
-        DataProblem::Parameter { parameter, min, max } => {
-            let (found, parameter) = (segment.parameters[parameter], &segment.law.parameters[parameter]);
-            let problem = Problem::OutOfRange { found, min, max, measure: measure_of(parameter) };
-            (here.join(parameter.key), problem)
-        }
-        DataProblem::KnotCount { found, expected } => {
-            (here.join(KNOTS), DataRefusal::KnotCount { found, expected }.into())
-        }
-        DataProblem::KnotOrder { knot } => (here.join(KNOTS).join(knot), DataRefusal::KnotOrder.into()),
-        DataProblem::KnotPlace { item, from, to, beta } => {
-            let [from, to] = [from, to].map(|place| tidy(place / beta * segment.beta));
-            (here.join(KNOTS), DataRefusal::KnotPlace { item, from, to, measure: stride }.into())
-        }
-        DataProblem::NotAtEnd { item, found, expected, beta } => {
-            let [found, expected] = [found, expected].map(|place| tidy(place / beta * segment.beta));
-            (list.join(item).join(0), DataRefusal::NotAtEnd { found, expected, measure: stride }.into())
-        }
-        DataProblem::Unordered { item } => (list.join(item).join(0), DataRefusal::Unordered.into()),
-        DataProblem::Expression(problem) => (list, DataRefusal::Expression(problem).into()),
-        DataProblem::Undefined { x } => (list, DataRefusal::Undefined { x: tidy(x) }.into()),
-        DataProblem::NoHeight => (list, DataRefusal::NoHeight.into()),
-        DataProblem::Dependent { items } => (list, DataRefusal::Dependent { items }.into()),
-    };
-    DesignError { path, problem }
-}
-
-impl Field<'_> {
-    /// The items of a list, no more than may be.
-    pub fn items(&self, limit: usize) -> Result<impl Iterator<Item = Field<'_>>, DesignError> {
-        let Value::Array(items) = self.value else { return Err(self.wrong_kind(Kind::List)) };
-        if items.len() > limit {
-            let problem = DataRefusal::WrongCount { found: items.len(), min: 1, max: limit }.into();
-            return Err(DesignError { path: self.path.clone(), problem });
-        }
-        Ok(items.iter().enumerate().map(|(k, value)| Field { path: self.path.join(k), value }))
-    }
-
-    /// A list of two numbers: where, and how much there.
-    pub fn pair(&self) -> Result<[f64; 2], DesignError> {
-        let numbers: Vec<f64> = self.items(2)?.map(|number| number.number()).collect::<Result<_, _>>()?;
-        let [at, value] = numbers[..] else {
-            let problem = DataRefusal::WrongCount { found: numbers.len(), min: 2, max: 2 }.into();
-            return Err(DesignError { path: self.path.clone(), problem });
-        };
-        Ok([at, value])
-    }
 }

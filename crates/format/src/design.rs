@@ -2,7 +2,7 @@
 
 use crate::{ApplicationDesign, CamKind, Conjugate, LengthUnit, Notation, SpeedUnit};
 use levalab_core::law::{Data, MAX_LAW_PARAMETERS};
-use levalab_core::{FollowerKind, FollowerValues, Law, Motion, Parameter, Quantity, Rotation};
+use levalab_core::{FollowerKind, FollowerValues, Law, Motion, Rotation};
 
 /// A cam as it is designed: angles in degrees, lengths in [`length_unit`](Self::length_unit).
 ///
@@ -102,23 +102,4 @@ impl Default for Speed {
 #[must_use]
 pub fn motion_and_contact(kind: &FollowerKind) -> (&'static str, &'static str) {
     kind.id.split_once('-').unwrap_or((kind.id, ""))
-}
-
-/// The value that a design gives when it leaves a parameter out, in the units of the design; `beta` is that of its segment.
-pub(crate) fn default_of(parameter: &Parameter, beta: f64) -> Option<f64> {
-    parameter.default.map(|value| match parameter.quantity {
-        Quantity::Angle => value.to_degrees(),
-        Quantity::Span => value * beta,
-        Quantity::Length | Quantity::Ratio | Quantity::Height => value,
-    })
-}
-
-/// A parameter's value in the units of the core; `beta` is that of its segment, and `up` what a unit of *s* is there.
-pub(crate) fn to_core(parameter: &Parameter, value: f64, beta: f64, up: f64) -> f64 {
-    match parameter.quantity {
-        Quantity::Angle => value.to_radians(),
-        Quantity::Span => value / beta,
-        Quantity::Height => value * up,
-        Quantity::Length | Quantity::Ratio => value,
-    }
 }

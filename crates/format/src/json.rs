@@ -15,7 +15,7 @@ use std::fmt;
 pub fn parse(text: &str) -> Result<Value, DesignError> {
     if text.len() > MAX_FILE_BYTES {
         let problem = Problem::FileTooLarge { bytes: text.len(), limit: MAX_FILE_BYTES };
-        return Err(DesignError { path: Path::default(), problem });
+        return Err(DesignError::at(Path::default(), problem));
     }
     let progress = Progress::default();
     let mut reader = serde_json::Deserializer::from_str(text);
@@ -31,7 +31,18 @@ pub fn parse(text: &str) -> Result<Value, DesignError> {
     } else {
         Problem::NotJson { line: error.line(), column: error.column() }
     };
-    Err(DesignError { path: Path(progress.path.take()), problem })
+    Err(DesignError::at(Path(progress.path.take()), problem))
+}
+
+/// Reads bytes as one JSON value.
+///
+/// # Errors
+/// As [`parse`], and when they are not UTF-8 text.
+pub fn parse_bytes(bytes: &[u8]) -> Result<Value, DesignError> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => parse(text),
+        Err(_) => Err(DesignError::at(Path::default(), Problem::NotText)),
+    }
 }
 
 /// How serde_json tells of a number like 1e999; it has no category of its own for it.

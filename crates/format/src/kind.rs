@@ -2,7 +2,7 @@
 
 use crate::decimal::Decimal;
 use crate::limits::SIZE;
-use crate::{CamRefusal, Design, DesignError, Measure, Problem};
+use crate::{CamRefusal, Design, DesignError, Measure};
 use levalab_core::{
     Closure, ContactKind, Cycle, FollowerKind, Generator, MAX_SIDES, Motion, Rotation, sharpest_base_radius,
 };
@@ -153,9 +153,7 @@ impl Design {
         match self.kind {
             CamKind::Rotating | CamKind::Grooved => Ok(()),
             CamKind::Translating { length } => {
-                let absent = |key| {
-                    Err(DesignError::at(["cam", key], Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() })))
-                };
+                let absent = |key| Err(DesignError::at(["cam", key], CamRefusal::Unsuited { kind: self.kind.word() }));
                 if self.rotation != Rotation::default() {
                     return absent("rotation");
                 }
@@ -172,20 +170,17 @@ impl Design {
         crate::check::check_range(["cam", "breadth"], breadth, &SIZE, Measure::Length)?;
         let base_radius = self.base_radius;
         if self.breadth_travel().is_some_and(|travel| travel <= 0.0) {
-            return Err(DesignError::at(
-                ["cam", "breadth"],
-                Problem::Cam(CamRefusal::Breadth { found: breadth, base_radius }),
-            ));
+            return Err(DesignError::at(["cam", "breadth"], CamRefusal::Breadth { found: breadth, base_radius }));
         }
         if let BreadthGenerator::Ready(Generator::CircularArc { sides }) = generator {
             if sides.is_multiple_of(2) || !(3..=MAX_SIDES).contains(&sides) {
-                let problem = Problem::Cam(CamRefusal::Sides { found: f64::from(sides), most: f64::from(MAX_SIDES) });
+                let problem = CamRefusal::Sides { found: f64::from(sides), most: f64::from(MAX_SIDES) };
                 return Err(DesignError::at(["cam", "sides"], problem));
             }
             let least = sharpest_base_radius(sides, breadth);
             // The sharpest of all is allowed, however its digits are rounded.
             if base_radius < least * (1.0 - 1e-9) {
-                let problem = Problem::Cam(CamRefusal::SharpArcs { found: base_radius, least, half: 0.5 * breadth });
+                let problem = CamRefusal::SharpArcs { found: base_radius, least, half: 0.5 * breadth };
                 return Err(DesignError::at(["cam", "base_radius"], problem));
             }
         }
@@ -195,7 +190,7 @@ impl Design {
     fn check_suited(&self) -> Result<(), DesignError> {
         let kind = self.kind.word();
         if let Some(key) = misfit(kind, self.follower) {
-            return Err(DesignError::at(["follower", key], Problem::Cam(CamRefusal::Unsuited { kind })));
+            return Err(DesignError::at(["follower", key], CamRefusal::Unsuited { kind }));
         }
         if matches!(self.kind, CamKind::Rotating | CamKind::Grooved) {
             return Ok(());
@@ -204,11 +199,8 @@ impl Design {
         let off_centre = self.follower.parameters.iter().zip(self.values);
         match off_centre.into_iter().find(|(parameter, value)| centred.contains(&parameter.key) && *value != 0.0) {
             Some((parameter, found)) => {
-                let measure = crate::check::measure_of(parameter);
-                Err(DesignError::at(
-                    ["follower", parameter.key],
-                    Problem::Cam(CamRefusal::OffCentre { found, measure, kind }),
-                ))
+                let measure = Measure::of(parameter);
+                Err(DesignError::at(["follower", parameter.key], CamRefusal::OffCentre { found, measure, kind }))
             }
             None => Ok(()),
         }

@@ -1,6 +1,6 @@
 //! The second cam of a conjugate pair: what a design says of it.
 
-use crate::cure::short_within;
+use crate::digits::short_within;
 use crate::limits::{ANGLE, SIZE};
 use crate::report::Report;
 use crate::{CamRefusal, Design, DesignError, Measure, Path, Problem};
@@ -36,10 +36,15 @@ impl Conjugate {
     /// The tie in the units of the core.
     #[must_use]
     pub fn core_tie(&self) -> Tie {
-        match self.tie {
-            Tie::Angle(degrees) => Tie::Angle(degrees.to_radians()),
-            other => other,
-        }
+        self.tie.with(measure_of(self.tie).to_core(self.tie.value()))
+    }
+}
+
+/// What the value of a tie measures.
+pub(crate) fn measure_of(tie: Tie) -> Measure {
+    match tie {
+        Tie::Angle(_) => Measure::Degrees,
+        Tie::Distance(_) | Tie::BaseRadius(_) => Measure::Length,
     }
 }
 
@@ -64,10 +69,10 @@ impl Design {
     pub fn room_for_second(&self, kind: Tie, radius: Option<f64>) -> Result<Option<Room>, DesignError> {
         let alone = Self { conjugate: None, ..self.clone() };
         let cam = alone.cam()?;
-        let edge = |value: f64| if matches!(kind, Tie::Angle(_)) { value.to_degrees() } else { value };
-        let room = working_ties(&cam, kind, radius).map(|(least, most)| (edge(least), edge(most)));
+        let measure = measure_of(kind);
+        let room = working_ties(&cam, kind, radius).map(|(least, most)| (measure.told(least), measure.told(most)));
         Ok(room.and_then(|(least, most)| {
-            let balanced = balanced_tie(&cam, kind).map_or(least, |tie| edge(tie.value()));
+            let balanced = balanced_tie(&cam, kind).map_or(least, |tie| measure.told(tie.value()));
             let tie = kind.with(short_within(balanced.clamp(least, most), least, most)?);
             Some(Room { tie, least, most })
         }))
@@ -82,7 +87,7 @@ impl Design {
         let tie = nearest_tie(&first, kind, radius)?;
         let second = conjugate(&first, tie, radius).ok()?;
         let report = Report::of(&alone, &second, &Analysis::of(&second, 1));
-        Some((if matches!(tie, Tie::Angle(_)) { tie.with(tie.value().to_degrees()) } else { tie }, report))
+        Some((tie.with(measure_of(tie).told(tie.value())), report))
     }
 
     /// The second cam, when the design has one; `first` is its own cam.
@@ -93,7 +98,7 @@ impl Design {
         let Some(pair) = self.conjugate else { return Ok(None) };
         let at = |key: &'static str| Path::from(["conjugate", key]);
         if self.kind.travel().is_some() || first.closure == levalab_core::Closure::Groove {
-            return Err(DesignError::at("conjugate", Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() })));
+            return Err(DesignError::at("conjugate", CamRefusal::Unsuited { kind: self.kind.word() }));
         }
         if !Conjugate::tie_keys(self).contains(&pair.tie.key()) {
             return Err(DesignError::at(
@@ -101,10 +106,8 @@ impl Design {
                 Problem::UnknownField { expected: Conjugate::tie_keys(self).to_vec() },
             ));
         }
-        let (range, measure) = match pair.tie {
-            Tie::Angle(_) => (ANGLE, Measure::Degrees),
-            Tie::Distance(_) | Tie::BaseRadius(_) => (SIZE, Measure::Length),
-        };
+        let measure = measure_of(pair.tie);
+        let range = if measure == Measure::Degrees { ANGLE } else { SIZE };
         crate::check::check_range(at(pair.tie.key()), pair.tie.value(), &range, measure)?;
         if let Some(radius) = pair.radius {
             let Some(key) = Conjugate::radius_key(self) else {
@@ -114,16 +117,11 @@ impl Design {
             crate::check::check_range(at(key), radius, &SIZE, Measure::Length)?;
         }
         let refused = |GeometryError { key, problem }| {
-            let edge = |value: f64| if measure == Measure::Degrees { value.to_degrees() } else { value };
             let problem = match problem {
                 GeometryProblem::Outside { found, min, max } if max.is_infinite() => {
-                    Problem::Cam(CamRefusal::TooClose { found: edge(found), least: edge(min) })
+                    Problem::Cam(CamRefusal::TooClose { found, least: min })
                 }
-                GeometryProblem::Outside { found, min, max } => {
-                    Problem::NotBetween { found: edge(found), min: edge(min), max: edge(max), measure }
-                }
-                GeometryProblem::NotPositive { found } => Problem::NotPositive { found, measure: Measure::Length },
-                _ => Problem::Cam(CamRefusal::Unsuited { kind: self.kind.word() }),
+                other => self.geometry_problem(other, if key == pair.tie.key() { measure } else { Measure::Length }),
             };
             DesignError::at(at(key), problem)
         };

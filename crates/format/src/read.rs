@@ -2,7 +2,8 @@
 
 use crate::application;
 use crate::data;
-use crate::design::{default_of, motion_and_contact};
+use crate::design::motion_and_contact;
+use crate::fields::{Field, Object};
 use crate::limits::MAX_SEGMENTS;
 use crate::write::{FORMAT, ROTATIONS};
 use crate::{
@@ -10,10 +11,8 @@ use crate::{
     ProgramRefusal, SegmentDesign, Speed, SpeedUnit, json,
 };
 use levalab_core::law::MAX_LAW_PARAMETERS;
-use levalab_core::{
-    Cam, FOLLOWERS, FollowerKind, Generator, LAWS, Law, MAX_FOLLOWER_PARAMETERS, MAX_SIDES, Parameter, Tie,
-};
-use serde_json::{Map, Value};
+use levalab_core::{Cam, FOLLOWERS, FollowerKind, Generator, LAWS, Law, MAX_FOLLOWER_PARAMETERS, MAX_SIDES, Tie};
+use serde_json::Value;
 
 impl Design {
     /// Reads a design file.
@@ -29,8 +28,7 @@ impl Design {
     /// # Errors
     /// As [`Design::from_json`], and when the bytes are not UTF-8 text.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, DesignError> {
-        let not_text = |_| DesignError { path: Path::default(), problem: Problem::NotText };
-        Self::from_json(std::str::from_utf8(bytes).map_err(not_text)?)
+        Self::from_value(&json::parse_bytes(bytes)?)
     }
 
     /// Reads a design from the object that a design file holds.
@@ -67,7 +65,7 @@ fn read(value: &Value) -> Result<Design, DesignError> {
     file.word("format", &[FORMAT])?;
     file.only(&FIELDS)?;
     let units = LengthUnit::ALL.map(LengthUnit::symbol);
-    let length_unit = match file.fields.contains_key("length_unit") {
+    let length_unit = match file.has("length_unit") {
         true => LengthUnit::ALL[file.word("length_unit", &units)?],
         false => LengthUnit::default(),
     };
@@ -75,11 +73,11 @@ fn read(value: &Value) -> Result<Design, DesignError> {
     let kind = read_kind(&cam)?;
     let ready = kind.generator().is_some();
     // No segments at all may be told by an empty list.
-    let none = file.fields.get("segments").and_then(Value::as_array).is_some_and(Vec::is_empty);
+    let none = file.optional("segments").is_some_and(|list| list.value.as_array().is_some_and(Vec::is_empty));
     if ready && !none {
         file.only(&FIELDS[..FIELDS.len() - 1])?;
     }
-    let rotation = match cam.fields.contains_key("rotation") {
+    let rotation = match cam.has("rotation") {
         true => ROTATIONS[cam.word("rotation", &ROTATIONS.map(|(word, _)| word))?].1,
         false => ROTATIONS[0].1,
     };
@@ -96,15 +94,15 @@ fn read(value: &Value) -> Result<Design, DesignError> {
         segments: if ready { Vec::new() } else { read_segments(&file)? },
         conjugate: None,
         application: None,
-        notation: match file.fields.contains_key("notation") {
+        notation: match file.has("notation") {
             true => Notation::ALL[file.word("notation", &Notation::WORDS)?],
             false => Notation::default(),
         },
     };
-    if file.fields.contains_key("conjugate") {
+    if file.has("conjugate") {
         design.conjugate = Some(read_conjugate(&file.object("conjugate")?, &design)?);
     }
-    if file.fields.contains_key("application") {
+    if file.has("application") {
         design.application = Some(application::read(&file.object("application")?)?);
     }
     Ok(design)
@@ -139,7 +137,7 @@ fn read_sides(field: &Field) -> Result<u32, DesignError> {
     let found = field.number()?;
     let whole = found.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&found);
     let problem = Problem::Cam(CamRefusal::Sides { found, most: f64::from(MAX_SIDES) });
-    if whole { Ok(found as u32) } else { Err(DesignError { path: field.path.clone(), problem }) }
+    if whole { Ok(found as u32) } else { Err(DesignError::at(field.path.clone(), problem)) }
 }
 
 /// What ties the second element to the first: one of the fields that the follower allows.
@@ -148,11 +146,11 @@ fn read_conjugate(pair: &Object, design: &Design) -> Result<Conjugate, DesignErr
     let radius_key = Conjugate::radius_key(design);
     let known: Vec<&'static str> = ties.iter().copied().chain(radius_key).collect();
     pair.only(&known)?;
-    let given: Vec<&'static str> = ties.iter().copied().filter(|key| pair.fields.contains_key(*key)).collect();
+    let given: Vec<&'static str> = ties.iter().copied().filter(|key| pair.has(key)).collect();
     let key = given.first().copied().unwrap_or(ties[0]);
     if let [_, second, ..] = given[..] {
         let problem = Problem::OneOf { expected: ties.to_vec() };
-        return Err(DesignError { path: pair.path.join(second), problem });
+        return Err(DesignError::at(pair.path.join(second), problem));
     }
     let value = pair.required(key)?.number()?;
     let tie = match key {
@@ -166,7 +164,7 @@ fn read_conjugate(pair: &Object, design: &Design) -> Result<Conjugate, DesignErr
 
 fn read_speed(file: &Object, kind: CamKind, length_unit: LengthUnit) -> Result<Speed, DesignError> {
     let travels = kind.travel().is_some();
-    if !file.fields.contains_key("speed") {
+    if !file.has("speed") {
         let unit = if travels { SpeedUnit::LengthPerSecond } else { SpeedUnit::default() };
         return Ok(Speed { unit, ..Speed::default() });
     }
@@ -196,7 +194,7 @@ fn read_segments(file: &Object) -> Result<Vec<SegmentDesign>, DesignError> {
     let Value::Array(items) = list.value else { return Err(list.wrong_kind(Kind::List)) };
     if items.len() > MAX_SEGMENTS {
         let problem = Problem::Program(ProgramRefusal::TooManySegments { found: items.len(), limit: MAX_SEGMENTS });
-        return Err(DesignError { path: list.path, problem });
+        return Err(DesignError::at(list.path, problem));
     }
     let each = items.iter().enumerate().map(|(k, item)| read_segment(&Object::any(item, list.path.join(k))?));
     each.collect()
@@ -214,100 +212,4 @@ fn read_segment(segment: &Object) -> Result<SegmentDesign, DesignError> {
         _ => segment.required("rise")?.number()?,
     };
     Ok(SegmentDesign { law, beta, rise, parameters, data })
-}
-
-/// A value with its place.
-pub(crate) struct Field<'a> {
-    pub path: Path,
-    pub value: &'a Value,
-}
-
-impl Field<'_> {
-    /// A number; −0 becomes 0, so that equal designs are written alike.
-    pub fn number(&self) -> Result<f64, DesignError> {
-        self.value.as_f64().map(|value| value + 0.0).ok_or_else(|| self.wrong_kind(Kind::Number))
-    }
-
-    pub fn text(&self) -> Result<String, DesignError> {
-        self.value.as_str().map(str::to_owned).ok_or_else(|| self.wrong_kind(Kind::Text))
-    }
-
-    pub fn wrong_kind(&self, expected: Kind) -> DesignError {
-        let found = match self.value {
-            Value::Null => Kind::Null,
-            Value::Bool(_) => Kind::Boolean,
-            Value::Number(_) => Kind::Number,
-            Value::String(_) => Kind::Text,
-            Value::Array(_) => Kind::List,
-            Value::Object(_) => Kind::Object,
-        };
-        DesignError { path: self.path.clone(), problem: Problem::WrongKind { found, expected } }
-    }
-}
-
-/// An object with its place.
-pub(crate) struct Object<'a> {
-    path: Path,
-    fields: &'a Map<String, Value>,
-}
-
-impl<'a> Object<'a> {
-    pub fn any(value: &'a Value, path: Path) -> Result<Self, DesignError> {
-        match value {
-            Value::Object(fields) => Ok(Self { path, fields }),
-            _ => Err(Field { path, value }.wrong_kind(Kind::Object)),
-        }
-    }
-
-    pub fn optional(&self, key: &str) -> Option<Field<'a>> {
-        self.fields.get(key).map(|value| Field { path: self.path.join(key), value })
-    }
-
-    pub fn required(&self, key: &str) -> Result<Field<'a>, DesignError> {
-        self.optional(key).ok_or_else(|| DesignError { path: self.path.join(key), problem: Problem::Missing })
-    }
-
-    fn object(&self, key: &str) -> Result<Self, DesignError> {
-        let field = self.required(key)?;
-        Self::any(field.value, field.path)
-    }
-
-    /// Which of the choices a field names.
-    pub fn word(&self, key: &str, choices: &[&'static str]) -> Result<usize, DesignError> {
-        let field = self.required(key)?;
-        let found = field.text()?;
-        choices.iter().position(|&choice| choice == found).ok_or_else(|| DesignError {
-            path: field.path,
-            problem: Problem::WrongWord { found, expected: choices.to_vec() },
-        })
-    }
-
-    /// Refuses fields that have no meaning here.
-    pub fn only(&self, known: &[&'static str]) -> Result<(), DesignError> {
-        match self.fields.keys().find(|key| !known.contains(&key.as_str())) {
-            Some(key) => {
-                let problem = Problem::UnknownField { expected: known.to_vec() };
-                Err(DesignError { path: self.path.join(key.as_str()), problem })
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// The parameters of a law or follower, which with the `shared` fields are all there may be.
-    fn parameters<const N: usize>(
-        &self,
-        shared: &[&'static str],
-        parameters: &[Parameter],
-    ) -> Result<[f64; N], DesignError> {
-        let known: Vec<&'static str> = shared.iter().copied().chain(parameters.iter().map(|p| p.key)).collect();
-        self.only(&known)?;
-        let mut values = [0.0; N];
-        for (value, parameter) in values.iter_mut().zip(parameters) {
-            *value = match default_of(parameter, 1.0) {
-                Some(default) if parameter.optional && !self.fields.contains_key(parameter.key) => default,
-                _ => self.required(parameter.key)?.number()?,
-            };
-        }
-        Ok(values)
-    }
 }

@@ -127,3 +127,8 @@ pub(crate) fn row(items: &[String], and: &str) -> String {
         [first @ .., last] => format!("{} {and} {last}", first.join(", ")),
     }
 }
+
+/// Words in a row.
+pub(crate) fn row_of(words: &[&str], and: &str) -> String {
+    row(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>(), and)
+}

@@ -1,6 +1,6 @@
 //! What a kind of cam does not have: followers, magnitudes and second cams that have no place on it.
 
-use super::Measure;
+use crate::Measure;
 
 /// Why a kind of cam and what goes with it do not agree.
 #[derive(Clone, Copy, Debug, PartialEq)]

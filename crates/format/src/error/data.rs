@@ -1,6 +1,6 @@
 //! What can be wrong with the data of a free law.
 
-use super::Measure;
+use crate::Measure;
 use levalab_core::ExpressionProblem;
 
 /// What can be wrong with the data of a free law. Angles are in degrees and lengths in the unit of the design.

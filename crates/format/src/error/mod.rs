@@ -8,6 +8,7 @@ pub use cam::CamRefusal;
 pub use data::DataRefusal;
 pub use program::ProgramRefusal;
 
+use crate::Measure;
 use crate::path::{Path, quoted};
 use levalab_core::{JoinProblem, Misfit};
 use std::fmt;
@@ -19,19 +20,6 @@ pub struct DesignError {
     pub path: Path,
     /// What is wrong there.
     pub problem: Problem,
-}
-
-/// What a number measures, in the units of a design.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// In the design's unit of length.
-    Length,
-    /// In degrees.
-    Degrees,
-    /// A pure number.
-    Ratio,
-    /// In the unit of the speed beside it.
-    Speed,
 }
 
 /// The kinds of JSON value.
@@ -155,17 +143,29 @@ pub enum Problem {
     Cam(CamRefusal),
 }
 
+impl From<ProgramRefusal> for Problem {
+    fn from(refusal: ProgramRefusal) -> Self {
+        Self::Program(refusal)
+    }
+}
+
 impl From<DataRefusal> for Problem {
     fn from(refusal: DataRefusal) -> Self {
         Self::Data(refusal)
     }
 }
 
+impl From<CamRefusal> for Problem {
+    fn from(refusal: CamRefusal) -> Self {
+        Self::Cam(refusal)
+    }
+}
+
 impl DesignError {
     /// An error at a place.
     #[must_use]
-    pub fn at(path: impl Into<Path>, problem: Problem) -> Self {
-        Self { path: path.into(), problem }
+    pub fn at(path: impl Into<Path>, problem: impl Into<Problem>) -> Self {
+        Self { path: path.into(), problem: problem.into() }
     }
 }
 

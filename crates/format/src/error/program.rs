@@ -1,6 +1,6 @@
 //! What can be wrong with the segments of a design, taken together.
 
-use super::Measure;
+use crate::Measure;
 
 /// Why segments make no program.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -22,8 +22,8 @@ mod title;
 
 pub use codes::{FOLLOWER_CODES, LAW_CODES};
 
-use crate::design::default_of;
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
+use crate::measure::default_of;
 use crate::{BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Speed, SpeedUnit};
 use crc::{CRC_32_ISO_HDLC, Crc};
 use levalab_core::{Generator, Parameter, Rotation};

@@ -1,7 +1,7 @@
 //! What is wrong with a design, in English.
 
 use super::{EN, data};
-use crate::voice::{measured, row};
+use crate::voice::{measured, row_of};
 use levalab_core::Misfit;
 use levalab_format::{CamRefusal, Kind, Measure, Problem, ProgramRefusal, quoted};
 
@@ -24,7 +24,7 @@ pub(super) fn problem(problem: &Problem) -> String {
         }
         Problem::Missing => "This field is missing.".to_owned(),
         Problem::UnknownField { expected } => {
-            format!("This field has no meaning here; those that have are {}.", row_of(expected))
+            format!("This field has no meaning here; those that have are {}.", row_of(expected, "and"))
         }
         Problem::DuplicateField => "This field is there twice.".to_owned(),
         Problem::WrongWord { found, expected } => match expected.as_slice() {
@@ -48,7 +48,7 @@ pub(super) fn problem(problem: &Problem) -> String {
         Problem::TitleCharacter { found, position } => {
             format!("Character {position} of the title (U+{:04X}) cannot be seen.", u32::from(*found))
         }
-        Problem::OneOf { expected } => format!("Only one of {} can be given.", row_of(expected)),
+        Problem::OneOf { expected } => format!("Only one of {} can be given.", row_of(expected, "and")),
         Problem::Program(refusal) => program(*refusal),
         Problem::Data(refusal) => data::refusal(refusal),
         Problem::Join(problem) => crate::join::problem(EN, *problem),
@@ -174,8 +174,4 @@ fn kind(kind: Kind) -> &'static str {
         Kind::List => "a list",
         Kind::Object => "an object",
     }
-}
-
-fn row_of(words: &[&str]) -> String {
-    row(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>(), "and")
 }

@@ -1,7 +1,7 @@
 //! What is wrong with a design, in Spanish.
 
 use super::{ES, data};
-use crate::voice::{measured, row};
+use crate::voice::{measured, row_of};
 use levalab_core::Misfit;
 use levalab_format::{CamRefusal, Kind, Measure, Problem, ProgramRefusal, quoted};
 
@@ -24,7 +24,7 @@ pub(super) fn problem(problem: &Problem) -> String {
         }
         Problem::Missing => "Falta este campo.".to_owned(),
         Problem::UnknownField { expected } => {
-            format!("Este campo no significa nada aquí; los que valen son {}.", row_of(expected))
+            format!("Este campo no significa nada aquí; los que valen son {}.", row_of(expected, "y"))
         }
         Problem::DuplicateField => "Este campo está dos veces.".to_owned(),
         Problem::WrongWord { found, expected } => match expected.as_slice() {
@@ -48,7 +48,7 @@ pub(super) fn problem(problem: &Problem) -> String {
         Problem::TitleCharacter { found, position } => {
             format!("El carácter {position} del título (U+{:04X}) no se puede ver.", u32::from(*found))
         }
-        Problem::OneOf { expected } => format!("Solo se puede dar uno de estos campos: {}.", row_of(expected)),
+        Problem::OneOf { expected } => format!("Solo se puede dar uno de estos campos: {}.", row_of(expected, "y")),
         Problem::Program(refusal) => program(*refusal),
         Problem::Data(refusal) => data::refusal(refusal),
         Problem::Join(problem) => crate::join::problem(ES, *problem),
@@ -176,8 +176,4 @@ fn kind(kind: Kind) -> &'static str {
         Kind::List => "una lista",
         Kind::Object => "un objeto",
     }
-}
-
-fn row_of(words: &[&str]) -> String {
-    row(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>(), "y")
 }
