@@ -1,0 +1,12 @@
+//! The command as programs and people use it: what goes in, what comes out, and how it ends.
+
+mod analyze;
+mod auto;
+mod check;
+mod compare;
+mod convert;
+mod errors;
+mod export;
+mod links;
+mod run;
+mod solve;
