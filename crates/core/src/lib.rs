@@ -76,6 +76,8 @@ pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
 pub use program::{CLOSING_TOLERANCE, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, TURN_TOLERANCE};
 pub use series::Series;
-pub use sizing::{SizeLimit, balanced_eccentricity, resized, shortest_travel, smallest_base_radius, smallest_for};
+pub use sizing::{
+    SizeLimit, balanced_eccentricity, geometry_passes, resized, shortest_travel, smallest_base_radius, smallest_for,
+};
 pub use stretch::Stretch;
 pub use svaj::Svaj;

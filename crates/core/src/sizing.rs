@@ -126,9 +126,11 @@ pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
     (low * high < 0.0).then(|| root(-edge, edge, imbalance))
 }
 
-/// True when nothing but the motion itself is to blame.
-pub(crate) fn geometry_passes(cam: &Cam) -> bool {
-    Analysis::of(cam, LEAST_STEPS).findings.iter().all(|finding| finding.kind.is_of_the_motion())
+/// True when a cam keeps every geometric limit: whatever is found in it, the motion itself is to blame.
+#[must_use]
+pub fn geometry_passes(cam: &Cam) -> bool {
+    // One row is asked for, since none is looked at: the verdict is exact whatever their number.
+    Analysis::of(cam, 1).findings.iter().all(|finding| finding.kind.is_of_the_motion())
 }
 
 /// How far a base radius (or a travel) is from passing: positive when it fails, infinite when the geometry cannot be.

@@ -6,11 +6,13 @@
 mod domain;
 mod jet;
 mod lengths;
+mod names;
 mod parse;
+mod problem;
 #[cfg(test)]
 mod tests;
 
-pub use parse::{ExpressionFault, ExpressionProblem, MAX_EXPRESSION};
+pub use problem::{ExpressionFault, ExpressionProblem, MAX_EXPRESSION};
 
 use crate::Svaj;
 use jet::Jet;

@@ -1,47 +1,12 @@
 //! From text to operations: numbers in either decimal form, implicit products, and refusals that point at a character.
 
-use super::{Constant, Expression, Function, Op};
+use super::names::{Meaning, longest};
+use super::{Constant, Expression, ExpressionFault, ExpressionProblem, MAX_EXPRESSION, Op};
 use crate::nearest;
 use std::ops::Range;
 
-/// Longest expression, characters.
-pub const MAX_EXPRESSION: usize = 512;
-
 /// Deepest nesting of parentheses, signs and powers.
 const MAX_DEPTH: usize = 32;
-
-/// Why a text is no expression, at which character (from 0).
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ExpressionProblem {
-    /// The character to look at; one past the last where something is missing.
-    pub at: usize,
-    /// What is wrong there.
-    pub kind: ExpressionFault,
-}
-
-/// What can be wrong with the text of an expression.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ExpressionFault {
-    /// Nothing is there, or it ends where a number, a variable or a parenthesis should come.
-    Ends,
-    /// More characters than an expression may have.
-    TooLong {
-        /// The most.
-        limit: usize,
-    },
-    /// Nested deeper than anyone writes.
-    TooDeep,
-    /// A character that has no meaning, or none here.
-    Unexpected(char),
-    /// A name that stands for nothing.
-    Unknown(String),
-    /// A parenthesis that is not closed.
-    Open,
-    /// A function without its parenthesis.
-    NoArgument(String),
-    /// A number that cannot be held.
-    Number,
-}
 
 /// A text on its way to an expression.
 struct Parser {
@@ -229,8 +194,7 @@ impl Parser {
     fn name(&mut self) -> Parsed {
         let start = self.at;
         let name: String = self.text[start..].iter().take_while(|c| c.is_alphanumeric() || **c == '₀').collect();
-        let found = NAMES.iter().filter(|(known, _)| name.starts_with(known)).max_by_key(|(known, _)| known.len());
-        let Some(&(known, meaning)) = found else {
+        let Some((known, meaning)) = longest(&name) else {
             return Err(ExpressionProblem { at: start, kind: ExpressionFault::Unknown(name) });
         };
         self.at += known.chars().count();
@@ -272,40 +236,6 @@ impl Parser {
         Err(ExpressionProblem { at: self.at, kind })
     }
 }
-
-#[derive(Clone, Copy)]
-enum Meaning {
-    Constant(Constant),
-    Function(Function),
-}
-
-const NAMES: &[(&str, Meaning)] = &[
-    ("x", Meaning::Constant(Constant::X)),
-    ("θ", Meaning::Constant(Constant::Theta)),
-    ("theta", Meaning::Constant(Constant::Theta)),
-    ("β", Meaning::Constant(Constant::Beta)),
-    ("beta", Meaning::Constant(Constant::Beta)),
-    ("L", Meaning::Constant(Constant::Rise)),
-    ("s0", Meaning::Constant(Constant::Start)),
-    ("s₀", Meaning::Constant(Constant::Start)),
-    ("π", Meaning::Constant(Constant::Pi)),
-    ("pi", Meaning::Constant(Constant::Pi)),
-    ("e", Meaning::Constant(Constant::Euler)),
-    ("sin", Meaning::Function(Function::Sin)),
-    ("sen", Meaning::Function(Function::Sin)),
-    ("cos", Meaning::Function(Function::Cos)),
-    ("tan", Meaning::Function(Function::Tan)),
-    ("asin", Meaning::Function(Function::Asin)),
-    ("acos", Meaning::Function(Function::Acos)),
-    ("atan", Meaning::Function(Function::Atan)),
-    ("sinh", Meaning::Function(Function::Sinh)),
-    ("cosh", Meaning::Function(Function::Cosh)),
-    ("tanh", Meaning::Function(Function::Tanh)),
-    ("exp", Meaning::Function(Function::Exp)),
-    ("ln", Meaning::Function(Function::Ln)),
-    ("log", Meaning::Function(Function::Log)),
-    ("sqrt", Meaning::Function(Function::Sqrt)),
-];
 
 fn starts_number(c: char) -> bool {
     c.is_ascii_digit() || c == '.' || c == ','

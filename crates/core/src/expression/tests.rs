@@ -1,7 +1,7 @@
 //! Claims about expressions.
 
+use super::ExpressionFault as Fault;
 use super::*;
-use parse::ExpressionFault as Fault;
 
 const VARIABLES: Variables = Variables { beta: 2.5, rise: 10.0, start: 3.0 };
 

@@ -6,89 +6,25 @@
 //! places body and element from its parameters, and name it in [`FOLLOWERS`].
 
 mod contact;
+mod kind;
 mod oscillating_flat;
 mod oscillating_roller;
+mod place;
 mod translating_curved;
 mod translating_flat;
 mod translating_knife;
 mod translating_roller;
 
 pub use contact::Contact;
+pub use kind::{ContactKind, FOLLOWERS, FollowerKind, FollowerValues, MAX_FOLLOWER_PARAMETERS, Motion};
+pub(crate) use place::positive;
 
-use crate::{GeometryError, GeometryProblem, Misfit, Parameter, Quantity};
+use crate::{GeometryError, GeometryProblem};
 use nalgebra::Complex;
+use place::ECCENTRICITY;
 
 /// A point or vector of the plane: x + i·y.
 pub type Point = Complex<f64>;
-
-/// Every follower there is, in the order in which a menu shows them.
-pub const FOLLOWERS: &[&FollowerKind] = &[
-    &translating_roller::KIND,
-    &translating_knife::KIND,
-    &translating_curved::KIND,
-    &translating_flat::KIND,
-    &oscillating_roller::KIND,
-    &oscillating_flat::KIND,
-];
-
-/// Most parameters that a follower takes.
-pub const MAX_FOLLOWER_PARAMETERS: usize = 4;
-
-/// A follower's parameters, in the order of [`FollowerKind::parameters`]; angles in radians.
-pub type FollowerValues = [f64; MAX_FOLLOWER_PARAMETERS];
-
-/// How the follower moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Motion {
-    /// Along +y.
-    Translating,
-    /// About a pivot; *s* is an angle.
-    Oscillating,
-}
-
-/// What touches the cam.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ContactKind {
-    /// A roller that turns.
-    Roller,
-    /// A knife edge.
-    Knife,
-    /// An arc that slides (mushroom).
-    Curved,
-    /// A straight face.
-    Flat,
-}
-
-/// A kind of follower: its name, its parameters and how they place it.
-#[derive(Debug)]
-pub struct FollowerKind {
-    /// Motion and contact in one word, such as `oscillating-roller`.
-    pub id: &'static str,
-    /// How it moves.
-    pub motion: Motion,
-    /// What touches.
-    pub contact: ContactKind,
-    /// What it takes besides the base radius.
-    pub parameters: &'static [Parameter],
-    place: fn(f64, &FollowerValues) -> Placement,
-}
-
-/// Where body and element lie at s = 0, or the magnitude that makes it impossible.
-type Placement = Result<(Body, Element), GeometryError>;
-
-impl FollowerKind {
-    /// The kind of that name.
-    #[must_use]
-    pub fn by_id(id: &str) -> Option<&'static FollowerKind> {
-        FOLLOWERS.iter().copied().find(|kind| kind.id == id)
-    }
-
-    /// Index of a parameter of that name.
-    #[must_use]
-    pub fn index_of(&self, key: &str) -> Option<usize> {
-        self.parameters.iter().position(|parameter| parameter.key == key)
-    }
-}
 
 /// The rigid motion of the follower.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -202,13 +138,13 @@ impl Follower {
     pub fn on_travel(kind: &'static FollowerKind, values: FollowerValues) -> Result<Self, GeometryError> {
         // On a unit circle all its checks are made; what it rests on is then changed for the base line.
         let resting = Self::new(kind, 1.0, values, Rotation::CounterClockwise)?;
-        let misfit = |key| Err(GeometryError { key, problem: GeometryProblem::Unsuited });
-        let Element::Disc { centre, radius } = resting.element else { return misfit("contact") };
+        let unsuited = |key| Err(GeometryError { key, problem: GeometryProblem::Unsuited });
+        let Element::Disc { centre, radius } = resting.element else { return unsuited("contact") };
         if resting.body != Body::Slide {
-            return misfit("motion");
+            return unsuited("motion");
         }
         if centre.re != 0.0 {
-            return misfit(ECCENTRICITY.key);
+            return unsuited(ECCENTRICITY.key);
         }
         let element = Element::Disc { centre: Point::new(0.0, radius), radius };
         Ok(Self { base_radius: 0.0, drive: Drive::Travels, element, ..resting })
@@ -281,46 +217,6 @@ impl Follower {
             Motion::Oscillating => 35_f64.to_radians(),
         }
     }
-}
-
-/// Refuses what is not a positive finite number.
-fn positive(key: &'static str, found: f64) -> Result<(), GeometryError> {
-    let problem = if !found.is_finite() {
-        GeometryProblem::NotFinite
-    } else if found <= 0.0 {
-        GeometryProblem::NotPositive { found }
-    } else {
-        return Ok(());
-    };
-    Err(GeometryError { key, problem })
-}
-
-const ROLLER_RADIUS: Parameter =
-    Parameter { key: "roller_radius", symbol: "Rf", quantity: Quantity::Length, default: None, optional: false };
-const FACE_RADIUS: Parameter =
-    Parameter { key: "face_radius", symbol: "Rf", quantity: Quantity::Length, default: None, optional: false };
-const ECCENTRICITY: Parameter =
-    Parameter { key: "eccentricity", symbol: "e", quantity: Quantity::Length, default: Some(0.0), optional: true };
-const PIVOT_DISTANCE: Parameter =
-    Parameter { key: "pivot_distance", symbol: "m", quantity: Quantity::Length, default: None, optional: false };
-const PIVOT_ANGLE: Parameter =
-    Parameter { key: "pivot_angle", symbol: "ψ", quantity: Quantity::Angle, default: Some(0.0), optional: true };
-const ARM: Parameter =
-    Parameter { key: "arm", symbol: "A", quantity: Quantity::Length, default: None, optional: false };
-const FACE_OFFSET: Parameter =
-    Parameter { key: "face_offset", symbol: "f", quantity: Quantity::Length, default: Some(0.0), optional: true };
-const FACE_ANGLE: Parameter =
-    Parameter { key: "face_angle", symbol: "γ", quantity: Quantity::Angle, default: Some(0.0), optional: true };
-
-/// A translating disc of that radius on an axis at eccentricity e: F = e + i·(s₀ + s), s₀ = √(Rp² − e²).
-fn sliding_disc(base_radius: f64, radius: f64, eccentricity: f64) -> Placement {
-    let prime_radius = base_radius + radius;
-    if eccentricity.abs() >= prime_radius {
-        let problem = GeometryProblem::Misfit(Misfit::Eccentricity { eccentricity, prime_radius });
-        return Err(GeometryError { key: ECCENTRICITY.key, problem });
-    }
-    let start = ((prime_radius - eccentricity) * (prime_radius + eccentricity)).sqrt();
-    Ok((Body::Slide, Element::Disc { centre: Point::new(eccentricity, start), radius }))
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! Flat face that swings about a fixed pivot, the face at offset f from it.
 
-use super::{
-    Body, ContactKind, Element, FACE_OFFSET, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, positive,
-};
+use super::place::{FACE_OFFSET, PIVOT_ANGLE, PIVOT_DISTANCE, positive};
+use super::{Body, ContactKind, Element, FollowerKind, Motion, Point};
 use crate::{GeometryError, GeometryProblem, Misfit};
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,8 +1,7 @@
 //! Roller at the end of an arm that swings about a fixed pivot.
 
-use super::{
-    ARM, Body, ContactKind, Element, FollowerKind, Motion, PIVOT_ANGLE, PIVOT_DISTANCE, Point, ROLLER_RADIUS, positive,
-};
+use super::place::{ARM, PIVOT_ANGLE, PIVOT_DISTANCE, ROLLER_RADIUS, positive};
+use super::{Body, ContactKind, Element, FollowerKind, Motion, Point};
 use crate::{GeometryError, GeometryProblem, Misfit};
 
 /// cos ξ₀ = (m² + A² − Rp²)/(2mA), ξ = ξ₀ + s, F = (m − A·e^(−iξ))·e^(iψ): the pivot at distance m and angle ψ, the arm

@@ -2,7 +2,8 @@
 //!
 //! The centre of the arc lies on the axis at e; e = 0 is the symmetric mushroom, any other the asymmetric one.
 
-use super::{ContactKind, ECCENTRICITY, FACE_RADIUS, FollowerKind, Motion, positive, sliding_disc};
+use super::place::{ECCENTRICITY, FACE_RADIUS, positive, sliding_disc};
+use super::{ContactKind, FollowerKind, Motion};
 
 /// Same profile as a roller of that radius; the difference is that it slides.
 pub const KIND: FollowerKind = FollowerKind {

@@ -1,6 +1,7 @@
 //! Flat face that moves along +y, turned counter-clockwise by the face angle γ from the horizontal.
 
-use super::{Body, ContactKind, Element, FACE_ANGLE, FollowerKind, Motion, Point};
+use super::place::FACE_ANGLE;
+use super::{Body, ContactKind, Element, FollowerKind, Motion, Point};
 use crate::{GeometryError, GeometryProblem};
 use std::f64::consts::FRAC_PI_2;
 

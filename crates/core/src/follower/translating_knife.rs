@@ -1,6 +1,7 @@
 //! Knife edge that moves along +y: the pitch curve is the profile.
 
-use super::{ContactKind, ECCENTRICITY, FollowerKind, Motion, sliding_disc};
+use super::place::{ECCENTRICITY, sliding_disc};
+use super::{ContactKind, FollowerKind, Motion};
 
 /// A disc of radius 0.
 pub const KIND: FollowerKind = FollowerKind {

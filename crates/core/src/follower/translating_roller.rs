@@ -1,6 +1,7 @@
 //! Roller that moves along +y, its axis at eccentricity e to the right of the cam's centre.
 
-use super::{ContactKind, ECCENTRICITY, FollowerKind, Motion, ROLLER_RADIUS, positive, sliding_disc};
+use super::place::{ECCENTRICITY, ROLLER_RADIUS, positive, sliding_disc};
+use super::{ContactKind, FollowerKind, Motion};
 
 /// tan φ = (v − σe)/(s₀ + s).
 pub const KIND: FollowerKind = FollowerKind {

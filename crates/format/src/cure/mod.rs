@@ -9,7 +9,7 @@ use crate::Design;
 use crate::digits::{DIGITS, round, short_within, shortest};
 use crate::pair::measure_of;
 use edit::edits;
-use levalab_core::{Analysis, Cam, Column, Cure, Finding, Law, Tie, prescribe, resized, working_ties};
+use levalab_core::{Analysis, Cam, Column, Cure, Finding, Law, Tie, geometry_passes, prescribe, resized, working_ties};
 
 /// A cure, told and ready to be applied.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,10 +124,7 @@ const LOOK: usize = 1;
 
 /// The base radius (or the travel) rounded up to the fewest digits, four or more, with which the geometry still passes.
 pub(crate) fn shortest_passing(cam: &Cam, exact: f64) -> f64 {
-    let passes = |&radius: &f64| {
-        let Some(sized) = resized(cam, radius) else { return false };
-        Analysis::of(&sized, LOOK).findings.iter().all(|finding| finding.kind.is_of_the_motion())
-    };
+    let passes = |&size: &f64| resized(cam, size).is_some_and(|sized| geometry_passes(&sized));
     shortest(exact, f64::ceil, passes).unwrap_or(exact)
 }
 

@@ -1,0 +1,148 @@
+//! Which ties give a second cam that keeps every geometric limit, and which comes nearest where none does.
+
+use super::across::Across;
+use super::{Tie, conjugate};
+use crate::Cam;
+use crate::samples::LEAST_STEPS;
+use crate::sizing::{geometry_passes, shortfall_of};
+use std::ops::Range;
+
+/// Samples of the first, coarse look at a candidate.
+const COARSE_STEPS: usize = 120;
+
+/// Ties tried over the range that the geometry allows.
+const CANDIDATES: usize = 96;
+
+/// Halvings of the gap between a tie that fails and one that passes.
+const HALVINGS: usize = 40;
+
+/// How many times the size of the first cam the distance of a second is looked for.
+const FARTHEST: f64 = 1000.0;
+
+/// How many times that size the nearest distance to a pair is looked for, where none passes.
+const NEAR: f64 = 10.0;
+
+/// Ratio of the room beside one distance tried to that beside the one before it.
+const STRIDE: f64 = 1.25;
+
+/// Parts by which the ends of a range are set inside, so that rounding does not put them outside.
+const INSIDE: f64 = 1e-9;
+
+/// The ties of that kind with which the second cam keeps every geometric limit, least and greatest; the greatest distance is
+/// infinite. None when no tie does.
+///
+/// When the ties that pass are not all side by side, the longest run of them is given.
+#[must_use]
+pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f64)> {
+    let (low, high) = Across::of(cam, radius).bounds(kind)?;
+    let search = Search { cam, kind, radius };
+    if high.is_infinite() { search.least_distance(low).map(|least| (least, high)) } else { search.range(low, high) }
+}
+
+/// The tie of that kind with which the second cam passes its geometric limits by least: the nearest there is to a pair where none
+/// is possible. None when the kind of tie leaves no room at all.
+#[must_use]
+pub fn nearest_tie(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<Tie> {
+    let (low, high) = Across::of(cam, radius).bounds(kind)?;
+    let high = if high.is_finite() { high } else { low + NEAR * cam.size() };
+    let search = Search { cam, kind, radius };
+    let (best, excess) = search.least_excess(&evenly(low, high))?;
+    excess.is_finite().then(|| kind.with(best))
+}
+
+/// Ties of one kind, tried on a cam.
+struct Search<'a> {
+    cam: &'a Cam,
+    kind: Tie,
+    radius: Option<f64>,
+}
+
+impl Search<'_> {
+    fn second(&self, value: f64) -> Option<Cam> {
+        conjugate(self.cam, self.kind.with(value), self.radius).ok()
+    }
+
+    fn passes(&self, value: f64) -> bool {
+        self.second(value).is_some_and(|second| geometry_passes(&second))
+    }
+
+    /// How far the second cam is beyond its limits, looked at in so many steps.
+    fn excess(&self, value: f64, steps: usize) -> f64 {
+        self.second(value).map_or(f64::INFINITY, |second| shortfall_of(&second, steps))
+    }
+
+    /// The last value that passes on the way from one that does to one that does not.
+    fn edge(&self, mut inside: f64, mut outside: f64) -> f64 {
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (inside + outside);
+            if self.passes(middle) { inside = middle } else { outside = middle }
+        }
+        inside
+    }
+
+    /// The least distance that passes: any larger one does too.
+    fn least_distance(&self, low: f64) -> Option<f64> {
+        let size = self.cam.size();
+        let strides = std::iter::successors(Some(size / CANDIDATES as f64), |room| Some(room * STRIDE));
+        let mut before = low;
+        for distance in strides.take_while(|&room| room < FARTHEST * size).map(|room| low + room) {
+            if self.passes(distance) {
+                let least = self.edge(distance, before);
+                return Some(least + INSIDE * least.abs());
+            }
+            before = distance;
+        }
+        None
+    }
+
+    /// The longest run of passing values between two bounds.
+    fn range(&self, low: f64, high: f64) -> Option<(f64, f64)> {
+        let mut tried = evenly(low, high);
+        if !tried.iter().any(|&value| self.passes(value)) {
+            // A window narrower than a step is found where the limits are passed by least.
+            let (best, _) = self.least_excess(&tried)?;
+            tried.insert(tried.partition_point(|&value| value < best), best);
+        }
+        let run = longest_run(tried.len(), |i| self.passes(tried[i]));
+        let (first, last) = (run.start, run.end.checked_sub(1)?);
+        let least = if first == 0 { tried[0] } else { self.edge(tried[first], tried[first - 1]) };
+        let greatest = if last + 1 == tried.len() { tried[last] } else { self.edge(tried[last], tried[last + 1]) };
+        let inside = INSIDE * (greatest - least).max(INSIDE);
+        Some((least + inside, greatest - inside))
+    }
+
+    /// The value with the least excess, refined between its neighbours, and the excess of the best that was tried.
+    fn least_excess(&self, tried: &[f64]) -> Option<(f64, f64)> {
+        let excess: Vec<f64> = tried.iter().map(|&value| self.excess(value, COARSE_STEPS)).collect();
+        let least = (1..tried.len() - 1).min_by(|&a, &b| excess[a].total_cmp(&excess[b]))?;
+        let best = lowest(tried[least - 1], tried[least + 1], |value| self.excess(value, LEAST_STEPS));
+        Some((best, excess[least]))
+    }
+}
+
+fn evenly(low: f64, high: f64) -> Vec<f64> {
+    (0..=CANDIDATES).map(|i| low + (high - low) * i as f64 / CANDIDATES as f64).collect()
+}
+
+/// The longest run of indices below `count` that are good, the first of them where several are as long.
+fn longest_run(count: usize, good: impl Fn(usize) -> bool) -> Range<usize> {
+    let (mut longest, mut start) = (0..0, 0);
+    for i in 0..count {
+        if !good(i) {
+            start = i + 1;
+        } else if i + 1 - start > longest.len() {
+            longest = start..i + 1;
+        }
+    }
+    longest
+}
+
+/// Where `f` is least between two values, by the golden section.
+fn lowest(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    for _ in 0..HALVINGS {
+        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
+        if f(left) < f(right) { high = right } else { low = left }
+    }
+    0.5 * (low + high)
+}
