@@ -12,12 +12,22 @@ pub struct Decimal(i128);
 /// Decimals kept.
 const DECIMALS: i32 = 18;
 
+/// One, in units of 10⁻¹⁸.
+const ONE: i128 = 10_i128.pow(DECIMALS as u32);
+
+/// Below this size every whole number is an `f64`, and its digits are its own.
+const EXACT: f64 = 9_007_199_254_740_992.0;
+
 impl Decimal {
     /// The shortest decimal that reads back as `value`; zero when there is none.
     ///
     /// `value` must be below 10²⁰ in size, as everything in a design is.
     #[must_use]
     pub fn of(value: f64) -> Self {
+        // Most numbers of a design, without a detour through their digits.
+        if value.abs() < EXACT && value.trunc() == value {
+            return Self(i128::from(value as i64) * ONE);
+        }
         let text = format!("{value:e}");
         let Some((digits, exponent)) = text.split_once('e') else { return Self(0) };
         let decimals = digits.split_once('.').map_or(0, |(_, fraction)| fraction.len()) as i32;
@@ -36,6 +46,10 @@ impl Decimal {
     /// The nearest `f64`.
     #[must_use]
     pub fn to_f64(self) -> f64 {
+        let whole = (self.0 / ONE) as f64;
+        if whole.abs() < EXACT && self.0 % ONE == 0 {
+            return whole;
+        }
         // Through its digits, which read back to the nearest; dividing would round twice.
         let value = nearest(&self.0.unsigned_abs().to_string(), -DECIMALS);
         if self.0 < 0 { -value } else { value }

@@ -12,6 +12,7 @@ mod diagrams;
 mod instant;
 mod lab;
 mod marks;
+mod mechanism;
 mod pair;
 mod plain;
 mod report;

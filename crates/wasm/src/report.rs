@@ -1,7 +1,8 @@
 //! What an analysis tells the page, shaped for JavaScript.
 
 use crate::lab::Current;
-use levalab_core::{Body, Cam, Column, Element, Segment, angle_between};
+use crate::mechanism::Mechanism;
+use levalab_core::{Cam, Column, Segment, angle_between};
 use levalab_format::report::{Range, degrees, scale_of};
 use levalab_format::{Design, DesignCure, Notation, ToldCure, ToldFinding, ToldVerdict, link};
 use levalab_words::{Language, Signs};
@@ -70,26 +71,6 @@ struct PageJoint {
     jump: Option<&'static str>,
 }
 
-/// What the drawing of the mechanism needs besides the instants. Lengths in the unit of the design, angles in degrees.
-#[derive(Serialize)]
-struct Mechanism {
-    sense: f64,
-    base_radius: f64,
-    prime_radius: Option<f64>,
-    motion: &'static str,
-    contact: &'static str,
-    roller_radius: f64,
-    eccentricity: f64,
-    pivot: Option<[f64; 2]>,
-    arm: Option<f64>,
-    opening: Option<f64>,
-    face_offset: f64,
-    face_angle: f64,
-    face: Option<[f64; 2]>,
-    reach: f64,
-    top: f64,
-}
-
 #[derive(Serialize)]
 struct Units {
     s: String,
@@ -153,7 +134,7 @@ impl PageReport {
             omega,
             period: cam.program.span() / omega,
             pressure_angle_limit: degrees(cam.follower.pressure_angle_limit()),
-            mechanism: Mechanism::of(current),
+            mechanism: Mechanism::of(cam, analysis),
             units: Units::of(current),
             notation: (design.notation != Notation::default()).then(|| PageNotation {
                 symbols: Signs::of(design.notation).symbols.to_vec(),
@@ -215,42 +196,6 @@ fn verdict_of(current: &Current, cam: Option<u8>, language: Language) -> Verdict
 
 fn as_map<T: Copy + Serialize, S: Serializer>(ranges: &[(&'static str, T)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(ranges.iter().copied())
-}
-
-impl Mechanism {
-    fn of(current: &Current) -> Self {
-        let Current { cam, analysis, .. } = current;
-        let follower = &cam.follower;
-        let (motion, contact) = levalab_format::motion_and_contact(follower.kind);
-        let value = |key: &str| follower.value(key);
-        let radius = follower.disc_radius();
-        // Whole degrees are enough for where to put the guide.
-        let part = cam.program.span() / 360.0;
-        let around = || (0..=360).map(|degree| cam.at(f64::from(degree) * part).1);
-        Self {
-            sense: follower.rotation.sigma(),
-            base_radius: follower.base_radius,
-            prime_radius: (!follower.is_flat()).then_some(follower.base_radius + radius),
-            motion,
-            contact,
-            roller_radius: radius,
-            eccentricity: value("eccentricity").unwrap_or(0.0),
-            pivot: match follower.body {
-                Body::Swing { pivot } => Some([pivot.re, pivot.im]),
-                Body::Slide => None,
-            },
-            arm: value("arm"),
-            opening: follower.opening().map(f64::to_degrees),
-            face_offset: value("face_offset").unwrap_or(0.0),
-            face_angle: value("face_angle").unwrap_or(0.0).to_degrees(),
-            face: analysis.summary.reach.map(|reach| [reach.min, reach.max]),
-            reach: around().map(|contact| contact.point.norm()).fold(0.0, f64::max),
-            top: match follower.element {
-                Element::Disc { .. } => around().map(|contact| contact.trace.im).fold(f64::NEG_INFINITY, f64::max),
-                Element::Face { point, .. } => point.im + analysis.summary.s.max,
-            },
-        }
-    }
 }
 
 impl Units {
