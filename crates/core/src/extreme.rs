@@ -42,19 +42,16 @@ const ROUNDING: f64 = 1e-12;
 
 /// Extremes of a quantity over the turn.
 pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extremes {
-    let (grid, own) = (samples.grid(quantity), samples.own(quantity));
-    let of_each: Vec<(f64, f64)> = samples
-        .spans
-        .iter()
-        .map(|span| bounds(&own[span.own.clone()], bounds(&grid[span.grid.clone()], NOTHING)))
-        .collect();
+    let values = samples.of_all(quantity);
+    let of_each: Vec<(f64, f64)> = samples.spans.iter().map(|span| bounds(&values[span.clone()])).collect();
     let (low, high) = of_each.iter().fold(NOTHING, |all, each| (all.0.min(each.0), all.1.max(each.1)));
     if high - low <= ROUNDING * high.abs().max(low.abs()) {
         return Extremes { min: low, min_at: 0.0, max: high, max_at: 0.0 };
     }
     let upside_down: Vec<(f64, f64)> = of_each.iter().map(|&(low, high)| (-high, -low)).collect();
-    let (max, max_at) = greatest(cam, samples, quantity, 1.0, (low, high), &of_each);
-    let (min, min_at) = greatest(cam, samples, quantity, -1.0, (-high, -low), &upside_down);
+    let search = Search { cam, samples, quantity };
+    let (max, max_at) = search.greatest(1.0, (low, high), &of_each);
+    let (min, min_at) = search.greatest(-1.0, (-high, -low), &upside_down);
     Extremes { min: -min, min_at, max, max_at }
 }
 
@@ -62,8 +59,9 @@ pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extr
 const NOTHING: (f64, f64) = (f64::INFINITY, f64::NEG_INFINITY);
 
 /// Least and greatest of some values, eight at a time so that the processor can compare them together.
-fn bounds(values: &[f64], (mut low, mut high): (f64, f64)) -> (f64, f64) {
-    let (mut lows, mut highs) = ([f64::INFINITY; 8], [f64::NEG_INFINITY; 8]);
+fn bounds(values: &[f64]) -> (f64, f64) {
+    let (mut low, mut high) = NOTHING;
+    let (mut lows, mut highs) = ([low; 8], [high; 8]);
     let chunks = values.chunks_exact(8);
     for value in chunks.remainder() {
         (low, high) = (low.min(*value), high.max(*value));
@@ -80,77 +78,95 @@ fn bounds(values: &[f64], (mut low, mut high): (f64, f64)) -> (f64, f64) {
     (low, high)
 }
 
-/// A local summit among the samples of a stretch: its neighbours and itself, as (θ, value), and the height it promises.
+/// A local summit among the samples of a stretch.
 struct Bump {
     stretch: usize,
-    points: [(f64, f64); 3],
+    /// The sample.
+    at: usize,
+    /// The height of the summit that it promises.
     promise: f64,
 }
 
-/// The greatest value of `sign`·quantity, and where; `low` and `high` bound all its samples, `of_each` those of each stretch.
-fn greatest(
-    cam: &Cam,
-    samples: &Samples,
+/// A quantity whose summits are searched.
+struct Search<'a> {
+    cam: &'a Cam,
+    samples: &'a Samples,
     quantity: Quantity,
-    sign: f64,
-    (low, high): (f64, f64),
-    of_each: &[(f64, f64)],
-) -> (f64, f64) {
-    let range = high - low;
-    let (worth_a_look, as_good) = (high - SLACK * range, high - ROUNDING * range);
-    let mut best: Option<(f64, f64)> = None;
-    let mut bumps: Vec<Bump> = Vec::new();
-    for (stretch, (span, &(lowest, highest))) in samples.spans.iter().zip(of_each).enumerate() {
-        if highest < worth_a_look {
-            continue;
-        }
-        if highest - lowest <= ROUNDING * range {
-            // Level, as in a dwell: any place is as good as the first.
-            if highest >= as_good {
-                best = best.or(Some((highest, cam.program.stretches()[stretch].from)));
+}
+
+impl Search<'_> {
+    /// The greatest value of `sign`·quantity, and where; `low` and `high` bound all its samples, `of_each` those of each stretch.
+    fn greatest(&self, sign: f64, (low, high): (f64, f64), of_each: &[(f64, f64)]) -> (f64, f64) {
+        let Self { cam, samples, quantity } = *self;
+        let values = samples.of_all(quantity);
+        let range = high - low;
+        let (worth_a_look, as_good) = (high - SLACK * range, high - ROUNDING * range);
+        let mut best: Option<(f64, f64)> = None;
+        let mut bumps: Vec<Bump> = Vec::new();
+        for (stretch, (span, &(lowest, highest))) in samples.spans.iter().zip(of_each).enumerate() {
+            if highest < worth_a_look {
+                continue;
             }
-            continue;
-        }
-        let along = samples.along(span, quantity);
-        let mut before = (f64::NAN, f64::NEG_INFINITY);
-        for (i, &(theta, value)) in along.iter().enumerate() {
-            let here = (theta, sign * value);
-            if here.1 >= worth_a_look {
-                let after = along.get(i + 1).map_or((theta, f64::NEG_INFINITY), |next| (next.0, sign * next.1));
-                if best.is_none() && here.1 >= as_good {
-                    best = Some((here.1, theta));
+            if highest - lowest <= ROUNDING * range {
+                // Level, as in a dwell: any place is as good as the first.
+                if highest >= as_good {
+                    best = best.or(Some((highest, cam.program.stretches()[stretch].from)));
                 }
-                if here.1 >= before.1 && here.1 > after.1 || here.1 > before.1 && here.1 >= after.1 {
-                    let first = if i == 0 { here } else { before };
-                    bumps.push(Bump {
-                        stretch,
-                        points: [(first.0, before.1), here, after],
-                        promise: vertex(before.1, here.1, after.1),
-                    });
+                continue;
+            }
+            for at in span.clone() {
+                let here = sign * values[at];
+                if here < worth_a_look {
+                    continue;
+                }
+                if best.is_none() && here >= as_good {
+                    best = Some((here, samples.theta[at]));
+                }
+                let beside = |inside: bool, at: usize| if inside { sign * values[at] } else { f64::NEG_INFINITY };
+                let (before, after) = (beside(at > span.start, at.wrapping_sub(1)), beside(at + 1 < span.end, at + 1));
+                if here >= before && here > after || here > before && here >= after {
+                    bumps.push(Bump { stretch, at, promise: vertex(before, here, after) });
                 }
             }
-            before = here;
+        }
+        let mut best = best.unwrap_or((high, 0.0));
+        let top = bumps.iter().map(|bump| bump.promise).fold(f64::NEG_INFINITY, f64::max);
+        bumps.retain(|bump| bump.promise >= top - TIE * range);
+        for _ in 0..MOST_BUMPS {
+            let Some(next) = (0..bumps.len()).min_by(|&a, &b| bumps[b].promise.total_cmp(&bumps[a].promise)) else {
+                break;
+            };
+            let (at, value) = self.summit(sign, &bumps.remove(next));
+            if value > best.0 + ROUNDING * range {
+                best = (value, at);
+            }
+        }
+        let past_the_end = cam.program.is_cyclic() && best.1 >= TAU;
+        (best.0, if past_the_end { best.1 - TAU } else { best.1 })
+    }
+
+    /// Where `sign`·quantity is greatest beside a sample that is higher than its neighbours, and the value there.
+    fn summit(&self, sign: f64, bump: &Bump) -> (f64, f64) {
+        let Self { cam, samples, quantity } = *self;
+        let (span, piece) = (&samples.spans[bump.stretch], &cam.program.stretches()[bump.stretch]);
+        let neighbours = [bump.at.max(span.start + 1) - 1, bump.at, (bump.at + 1).min(span.end - 1)];
+        let (theta, values) = (&samples.theta, samples.of_all(quantity));
+        match quantity.slope() {
+            Some(slope) => {
+                let slopes = samples.of_all(slope);
+                let along = neighbours.map(|at| (theta[at], sign * slopes[at]));
+                let at = crest(along, |theta| sign * slope.at(cam, piece, theta));
+                let value = at.map_or(values[bump.at], |at| quantity.at(cam, piece, at));
+                (at.unwrap_or(theta[bump.at]), sign * value)
+            }
+            None => {
+                let tolerance = THETA_TOLERANCE * (cam.program.span() / TAU);
+                let start = (theta[bump.at], sign * values[bump.at]);
+                let ends = (theta[neighbours[0]], theta[neighbours[2]]);
+                summit(ends, start, tolerance, |theta| sign * quantity.at(cam, piece, theta))
+            }
         }
     }
-    let mut best = best.unwrap_or((high, 0.0));
-    let top = bumps.iter().map(|bump| bump.promise).fold(f64::NEG_INFINITY, f64::max);
-    bumps.retain(|bump| bump.promise >= top - TIE * range);
-    for _ in 0..MOST_BUMPS {
-        let Some(next) = (0..bumps.len()).min_by(|&a, &b| bumps[b].promise.total_cmp(&bumps[a].promise)) else { break };
-        let bump = bumps.remove(next);
-        let piece = &cam.program.stretches()[bump.stretch];
-        let tolerance = THETA_TOLERANCE * (cam.program.span() / TAU);
-        let height = |theta: f64| sign * quantity.at(cam, piece, theta);
-        let (at, value) = match quantity.slope() {
-            Some(slope) => crest(bump.points, |theta| sign * slope.at(cam, piece, theta), height),
-            None => summit(bump.points, tolerance, height),
-        };
-        if value > best.0 + ROUNDING * range {
-            best = (value, at);
-        }
-    }
-    let past_the_end = cam.program.is_cyclic() && best.1 >= TAU;
-    (best.0, if past_the_end { best.1 - TAU } else { best.1 })
 }
 
 /// Height of the parabola through three samples, for ranking bumps; at a one-sided end, the sample itself.
@@ -163,28 +179,24 @@ fn vertex(before: f64, here: f64, after: f64) -> f64 {
     here - 0.5 * slope * slope / bend
 }
 
-/// Where the slope of `f` passes zero beside the middle one of three points, and the value there; the middle one itself where it does not, as
-/// at the end of a stretch.
-fn crest(
-    [(low, _), (here, at_here), (high, _)]: [(f64, f64); 3],
-    slope: impl Fn(f64) -> f64,
-    f: impl Fn(f64) -> f64,
-) -> (f64, f64) {
-    let uphill = slope(here);
-    let far = if uphill > 0.0 { high } else { low };
-    if uphill == 0.0 || far == here || (slope(far) > 0.0) == (uphill > 0.0) {
-        return (here, at_here);
-    }
-    let at = root(here, far, slope);
-    (at, f(at))
+/// Where the slope passes zero beside the middle one of three points, given as (θ, slope); nowhere when it does not, as at the end of a stretch.
+fn crest([low, here, high]: [(f64, f64); 3], slope: impl Fn(f64) -> f64) -> Option<f64> {
+    let far = if here.1 > 0.0 { high } else { low };
+    let passes = here.1 != 0.0 && far.0 != here.0 && (far.1 > 0.0) != (here.1 > 0.0);
+    passes.then(|| root_between(here, far, slope))
 }
 
-/// Greatest value of `f` between the outer two of three points, by Brent's method started from the inner one.
+/// Greatest value of `f` between two places, by Brent's method started from a third one, given with its value. A start at one of the two that is
+/// higher than what lies beside it is the summit.
 fn summit(
-    [(low, _), (start, at_start), (high, _)]: [(f64, f64); 3],
+    (low, high): (f64, f64),
+    (start, at_start): (f64, f64),
     tolerance: f64,
     f: impl Fn(f64) -> f64,
 ) -> (f64, f64) {
+    if start == low && f(low + tolerance) < at_start || start == high && f(high - tolerance) < at_start {
+        return (start, at_start);
+    }
     const GOLDEN: f64 = 0.381_966_011_250_105;
     let (mut a, mut b) = (low, high);
     let (mut x, mut w, mut v) = (start, start, start);
@@ -251,10 +263,11 @@ pub(crate) fn intervals(
 ) -> Vec<(f64, f64)> {
     let mut found: Vec<(f64, f64)> = Vec::new();
     let mut open: Option<f64> = None;
+    let values = samples.of_all(quantity);
     for (stretch, span) in cam.program.stretches().iter().zip(&samples.spans) {
         let at = |theta: f64| excess(quantity.at(cam, stretch, theta));
         let mut along: Vec<(f64, f64)> =
-            samples.along(span, quantity).into_iter().map(|(theta, value)| (theta, excess(value))).collect();
+            span.clone().map(|sample| (samples.theta[sample], excess(values[sample]))).collect();
         if stretch.from < peak && peak < stretch.to {
             let after = along.partition_point(|point| point.0 < peak);
             along.insert(after, (peak, at(peak)));
@@ -282,9 +295,13 @@ pub(crate) fn intervals(
     found
 }
 
-/// Where `f` changes sign between `low` and `high`, by the Illinois variant of false position.
-pub(crate) fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (mut at_low, mut at_high) = (f(low), f(high));
+/// Where `f` changes sign between `low` and `high`.
+pub(crate) fn root(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
+    root_between((low, f(low)), (high, f(high)), f)
+}
+
+/// Where `f` changes sign between two places, given with its values there, by the Illinois variant of false position.
+fn root_between((mut low, mut at_low): (f64, f64), (mut high, mut at_high): (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..100 {
         let mut middle = (low * at_high - high * at_low) / (at_high - at_low);
         if !(middle > low.min(high) && middle < low.max(high)) {

@@ -34,7 +34,7 @@ pub(crate) fn crossing(samples: &Samples) -> Option<Finding> {
             let apart = i.abs_diff(other);
             let neighbours = apart <= 2 || apart >= last - 1;
             if !neighbours && sides_cross(&profile[i..=i + 1], &profile[other..=other + 1]) {
-                let (theta, second) = (samples.theta[i.min(other)], samples.theta[i.max(other)]);
+                let (theta, second) = (samples.station(i.min(other)), samples.station(i.max(other)));
                 return Some(Finding {
                     places: vec![theta, second],
                     ..finding(FindingKind::SelfCrossing, theta, 0.0, 0.0, None)
@@ -89,7 +89,7 @@ pub(crate) fn arm_cut(cam: &Cam, samples: &Samples) -> Option<Finding> {
             }
             let beyond = -cross(direction, point - from) * centre_side.signum();
             if cross(from, point) * turn.signum() > 0.0 && beyond > worst.0 {
-                worst = (beyond, samples.theta[i]);
+                worst = (beyond, samples.station(i));
             }
         }
     }

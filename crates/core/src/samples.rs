@@ -1,6 +1,6 @@
 //! A cam looked at in enough places: an even grid over the cycle, and the ends of every smooth stretch.
 
-use crate::{Cam, Contact, Drive, Point, Stretch, Svaj};
+use crate::{Body, Cam, Contact, Drive, Point, Stretch, Svaj};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -32,8 +32,19 @@ pub(crate) enum Quantity {
 
 impl Quantity {
     const COUNT: usize = 9;
-    const ALWAYS: [Self; 6] = [Self::S, Self::V, Self::A, Self::J, Self::PressureAngle, Self::Bend];
-    const FLAT: [Self; 2] = [Self::Reach, Self::Lead];
+    const ALL: [Self; Self::COUNT] =
+        [Self::S, Self::V, Self::A, Self::J, Self::PressureAngle, Self::Bend, Self::Reach, Self::Lead, Self::Radius];
+
+    /// True when the verdict on a cam asks for it.
+    #[inline(always)]
+    fn is_wanted(self, cam: &Cam) -> bool {
+        match self {
+            Self::S | Self::V | Self::A | Self::J | Self::PressureAngle | Self::Bend => true,
+            Self::Reach | Self::Lead => cam.follower.is_flat(),
+            // Only a pivot can lie in the way of the cam.
+            Self::Radius => matches!(cam.follower.body, Body::Swing { .. }),
+        }
+    }
 
     #[inline(always)]
     pub fn of(self, motion: &Svaj, contact: &Contact) -> f64 {
@@ -82,20 +93,21 @@ const NOWHERE: Contact = Contact {
     lead: 0.0,
 };
 
-/// The samples of one stretch: stations of the grid, and some of its own (both ends among them).
-#[derive(Clone, Debug)]
-pub(crate) struct Span {
-    pub grid: Range<usize>,
-    pub own: Range<usize>,
-}
-
-/// A turn sampled, one array a quantity; those that no verdict on this follower needs are empty.
+/// A cycle sampled: one array a quantity, in the order of θ; those that no verdict on this follower needs are empty.
+///
+/// A sample is a station of an even grid, or one that a stretch has of its own: its ends, and more when it is short. Where two stretches
+/// meet there are two, the limits from either side.
 pub(crate) struct Samples {
-    pub spans: Vec<Span>,
+    /// The samples of each stretch.
+    pub spans: Vec<Range<usize>>,
+    /// θ of every sample.
     pub theta: Vec<f64>,
-    pub own_theta: Vec<f64>,
-    grid: [Vec<f64>; Quantity::COUNT],
-    own: [Vec<f64>; Quantity::COUNT],
+    values: [Vec<f64>; Quantity::COUNT],
+    /// Which samples are stations of the grid, in runs.
+    runs: Vec<Range<usize>>,
+    /// What the grid divides, and into how many steps.
+    span: f64,
+    stations: usize,
     /// Contact and trace point at the stations of the grid, in the cam's frame.
     pub profile: Vec<Point>,
     pub pitch: Vec<Point>,
@@ -115,16 +127,18 @@ impl Samples {
     /// Samples on a grid of `n` steps, however coarse.
     pub fn on_grid(cam: &Cam, n: usize) -> Self {
         let stretches = cam.program.stretches();
-        let room = |wanted: bool| Vec::with_capacity(if wanted { n + 1 } else { 0 });
         let flat = cam.follower.is_flat();
+        let room = n + LEAST_STEPS_OF_A_STRETCH * stretches.len();
+        let wanted = |quantity: Quantity| quantity.is_wanted(cam);
         let mut samples = Self {
             spans: Vec::with_capacity(stretches.len()),
-            theta: room(true),
-            own_theta: Vec::with_capacity(3 * stretches.len()),
-            grid: std::array::from_fn(|k| room(k < Quantity::ALWAYS.len() || flat && k < Quantity::Radius as usize)),
-            own: Default::default(),
-            profile: Vec::with_capacity(n + 1),
-            pitch: Vec::with_capacity(if flat { 0 } else { n + 1 }),
+            theta: Vec::with_capacity(room),
+            values: Quantity::ALL.map(|quantity| Vec::with_capacity(if wanted(quantity) { room } else { 0 })),
+            runs: Vec::with_capacity(stretches.len()),
+            span: cam.program.span(),
+            stations: n,
+            profile: Vec::with_capacity(n),
+            pitch: Vec::with_capacity(if flat { 0 } else { n }),
             turns: match cam.follower.drive {
                 Drive::Turns => turns(cam.follower.rotation.sigma(), n),
                 Drive::Travels => Vec::new(),
@@ -132,109 +146,103 @@ impl Samples {
             star_shaped: true,
         };
         for stretch in stretches {
-            samples.look_along(cam, stretch, n);
+            samples.look_along(cam, stretch);
         }
         samples
     }
 
-    /// A quantity at the stations of the grid.
-    pub fn grid(&self, quantity: Quantity) -> &[f64] {
-        &self.grid[quantity as usize]
+    /// A quantity at all samples.
+    pub fn of_all(&self, quantity: Quantity) -> &[f64] {
+        &self.values[quantity as usize]
     }
 
-    /// A quantity at the samples that stretches have of their own.
-    pub fn own(&self, quantity: Quantity) -> &[f64] {
-        &self.own[quantity as usize]
-    }
-
-    /// The value at the very end of the cycle, from within it.
-    pub fn last(&self, quantity: Quantity) -> Option<f64> {
-        self.own(quantity).last().copied()
-    }
-
-    /// Takes the grid's values of a quantity out.
-    pub fn take(&mut self, quantity: Quantity) -> Vec<f64> {
-        std::mem::take(&mut self.grid[quantity as usize])
-    }
-
-    /// Adds the distance of the contact from the cam's centre, which only a cam beside a pivot needs.
-    pub fn measure_radius(&mut self, cam: &Cam) {
-        self.grid[Quantity::Radius as usize] = self.profile.iter().map(|point| point.norm_sqr().sqrt()).collect();
-        let stretches = cam.program.stretches().iter().zip(&self.spans);
-        let own = stretches.flat_map(|(stretch, span)| {
-            self.own_theta[span.own.clone()].iter().map(move |&theta| Quantity::Radius.at(cam, stretch, theta))
-        });
-        self.own[Quantity::Radius as usize] = own.collect();
-    }
-
-    /// The samples of a stretch in order of θ, with the values of a quantity.
-    pub fn along(&self, span: &Span, quantity: Quantity) -> Vec<(f64, f64)> {
-        let pairs = |thetas: &[f64], values: &[f64]| -> Vec<(f64, f64)> {
-            thetas.iter().copied().zip(values.iter().copied()).collect()
-        };
-        let mut all = pairs(&self.theta[span.grid.clone()], &self.grid(quantity)[span.grid.clone()]);
-        for (theta, value) in pairs(&self.own_theta[span.own.clone()], &self.own(quantity)[span.own.clone()]) {
-            let place = if all.last().is_none_or(|last| last.0 < theta) {
-                all.len()
+    /// A quantity at every `every`-th station of the grid, and at the very end of the cycle, from within it.
+    pub fn rows(&self, quantity: Quantity, every: usize) -> (Vec<f64>, Option<f64>) {
+        let values = self.of_all(quantity);
+        let mut rows = Vec::with_capacity(if values.is_empty() { 0 } else { self.stations / every + 1 });
+        let mut station = 0_usize;
+        for run in self.runs.iter().filter(|_| !values.is_empty()) {
+            if every == 1 {
+                rows.extend_from_slice(&values[run.clone()]);
             } else {
-                all.partition_point(|p| p.0 < theta)
-            };
-            all.insert(place, (theta, value));
+                let skipped = station.next_multiple_of(every) - station;
+                rows.extend(values[run.clone()].iter().skip(skipped).step_by(every));
+            }
+            station += run.len();
         }
-        all
+        (rows, values.last().copied())
     }
 
-    fn look_along(&mut self, cam: &Cam, stretch: &Stretch, n: usize) {
-        let span = cam.program.span();
-        let (step, snap) = (span / n as f64, SNAP * (span / TAU));
-        let first = self.theta.len();
-        let after = if stretch.to >= span { n } else { ((stretch.to - snap) / step).ceil() as usize };
+    /// How many stations the grid has, its end apart.
+    pub fn stations(&self) -> usize {
+        self.stations
+    }
+
+    /// θ of a station of the grid.
+    #[inline]
+    pub fn station(&self, k: usize) -> f64 {
+        self.span * k as f64 / self.stations as f64
+    }
+
+    fn look_along(&mut self, cam: &Cam, stretch: &Stretch) {
+        let snap = SNAP * (self.span / TAU);
+        let (first, first_sample) = (self.profile.len(), self.theta.len());
+        let after = if stretch.to >= self.span {
+            self.stations
+        } else {
+            let step = self.span / self.stations as f64;
+            ((((stretch.to - snap) / step).ceil()) as usize).max(first)
+        };
         let look = |theta: f64| {
             let motion = stretch.at(theta);
             (motion, cam.contact(motion))
         };
         // A dwell is looked at once.
         let still = stretch.is_still().then(|| look(stretch.from));
+        let starts_on_grid = first < after && self.station(first) - stretch.from < snap;
+        let parts = if after - first < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
+        let own = |i: usize| stretch.from + (stretch.to - stretch.from) * (i as f64 / parts as f64);
+        let mut next_own = usize::from(starts_on_grid);
+        let mut run = self.theta.len();
         for k in first..after {
-            let theta = span * k as f64 / n as f64;
+            let theta = self.station(k);
+            while next_own < parts && own(next_own) < theta {
+                self.end_run(run);
+                self.put(cam, own(next_own), still.unwrap_or_else(|| look(own(next_own))));
+                (next_own, run) = (next_own + 1, self.theta.len());
+            }
             let (motion, contact) = still.unwrap_or_else(|| look(theta));
-            self.theta.push(theta);
-            put(&mut self.grid, cam, &motion, &contact);
+            self.put(cam, theta, (motion, contact));
             let turn = self.turns.get(k).copied();
             let in_cam_frame = |point: Point| turn.map_or(point + theta, |turn| point * turn);
             self.profile.push(in_cam_frame(contact.point));
             if !cam.follower.is_flat() {
                 self.pitch.push(in_cam_frame(contact.trace));
             }
-            self.star_shaped &= turn.is_none() || looks_away(&contact);
         }
-        let own_first = self.own_theta.len();
-        let starts_on_grid = first < after && self.theta[first] - stretch.from < snap;
-        let parts = if after.saturating_sub(first) < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
-        for i in usize::from(starts_on_grid)..=parts {
-            let theta = if i == parts {
-                stretch.to
-            } else {
-                stretch.from + (stretch.to - stretch.from) * i as f64 / parts as f64
-            };
-            let (motion, contact) = look(theta);
-            self.own_theta.push(theta);
-            put(&mut self.own, cam, &motion, &contact);
-            self.star_shaped &= cam.follower.drive == Drive::Travels || looks_away(&contact);
+        self.end_run(run);
+        for i in next_own..=parts {
+            let theta = if i == parts { stretch.to } else { own(i) };
+            self.put(cam, theta, still.unwrap_or_else(|| look(theta)));
         }
-        self.spans.push(Span { grid: first..after.max(first), own: own_first..self.own_theta.len() });
+        self.spans.push(first_sample..self.theta.len());
     }
-}
 
-#[inline(always)]
-fn put(columns: &mut [Vec<f64>; Quantity::COUNT], cam: &Cam, motion: &Svaj, contact: &Contact) {
-    for quantity in Quantity::ALWAYS {
-        columns[quantity as usize].push(quantity.of(motion, contact));
-    }
-    if cam.follower.is_flat() {
-        for quantity in Quantity::FLAT {
-            columns[quantity as usize].push(quantity.of(motion, contact));
+    fn end_run(&mut self, from: usize) {
+        if from < self.theta.len() {
+            self.runs.push(from..self.theta.len());
         }
+    }
+
+    #[inline(always)]
+    fn put(&mut self, cam: &Cam, theta: f64, (motion, contact): (Svaj, Contact)) {
+        self.theta.push(theta);
+        for quantity in Quantity::ALL {
+            if quantity.is_wanted(cam) {
+                self.values[quantity as usize].push(quantity.of(&motion, &contact));
+            }
+        }
+        self.star_shaped &= cam.follower.drive == Drive::Travels || looks_away(&contact);
     }
 }
 

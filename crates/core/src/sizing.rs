@@ -140,10 +140,7 @@ fn shortfall(cam: &Cam, size: f64, steps: usize) -> f64 {
 
 /// How far a cam is from keeping its geometric limits, arms that cut apart: positive when one is passed.
 pub(crate) fn shortfall_of(cam: &Cam, steps: usize) -> f64 {
-    let mut samples = Samples::on_grid(cam, steps);
-    if let Body::Swing { .. } = cam.follower.body {
-        samples.measure_radius(cam);
-    }
+    let samples = Samples::on_grid(cam, steps);
     steepness(cam, &samples).max(-roundness(cam, &samples)).max(misplacement(cam, &samples))
 }
 

@@ -81,63 +81,67 @@ impl Column {
     }
 }
 
-/// The columns asked for: the grid's own arrays, thinned when the grid is finer, closed by the row at the end of the cycle: the
-/// first again when it comes round, the last limit from within when it does not.
-pub(super) fn tabulate(cam: &Cam, mut samples: Samples, steps: usize) -> Vec<Vec<f64>> {
-    let every = samples.theta.len() / steps;
+/// The columns asked for: what was sampled at the stations of the grid, thinned when it is finer, closed by the row at the end of the
+/// cycle: the first again when it comes round, the last limit from within when it does not.
+pub(super) fn tabulate(cam: &Cam, samples: &Samples, steps: usize) -> Vec<Vec<f64>> {
+    let every = samples.stations() / steps;
     let span = cam.program.span();
     let end = (!cam.program.is_cyclic()).then(|| cam.at(span).1);
-    let finish = |(mut values, last): (Vec<f64>, Option<f64>)| {
-        if every > 1 {
-            values = values.into_iter().step_by(every).collect();
-        }
-        if let Some(&first) = values.first() {
-            values.push(last.filter(|_| end.is_some()).unwrap_or(first));
-        }
-        values
-    };
     let follower = &cam.follower;
-    let bends = (samples.take(Quantity::Bend), samples.last(Quantity::Bend));
+    let own = |quantity: Quantity| samples.rows(quantity, every);
     let of_bend = |radius: &dyn Fn(f64) -> f64| {
-        (bends.0.iter().map(|&bend| radius(bend)).collect::<Vec<f64>>(), bends.1.map(radius))
+        let (mut bends, last) = own(Quantity::Bend);
+        bends.iter_mut().for_each(|bend| *bend = radius(*bend));
+        (bends, last.map(radius))
     };
     let part = |points: &[Point], of: fn(&Contact) -> Point, part: fn(&Point) -> f64| {
         let last = end.as_ref().map(|contact| part(&cam.in_cam_frame(of(contact), span)));
-        (points.iter().map(part).collect::<Vec<f64>>(), last)
+        (with_room(points.iter().step_by(every).map(part)), last)
     };
     // The outer wall lies as far from the trace point as the inner one, on the other side.
     let outer = |part: fn(&Point) -> f64| {
-        let mirrored = |inner: &Point, trace: &Point| part(&(trace * 2.0 - inner));
-        let walls = samples.profile.iter().zip(&samples.pitch).map(|(inner, trace)| mirrored(inner, trace)).collect();
-        (walls, end.as_ref().map(|contact| part(&cam.in_cam_frame(contact.trace * 2.0 - contact.point, span))))
-    };
-    let walls = if cam.closure == Closure::Groove { [outer(|p| p.re), outer(|p| p.im)] } else { Default::default() };
-    let [outer_x, outer_y] = walls;
-    let mut walls = [Some(outer_x), Some(outer_y)];
-    let mut of = |column: Column| {
-        let mut own = |quantity: Quantity| (samples.take(quantity), samples.last(quantity));
-        match column {
-            Column::Theta => (std::mem::take(&mut samples.theta), Some(span)),
-            Column::S => own(Quantity::S),
-            Column::V => own(Quantity::V),
-            Column::A => own(Quantity::A),
-            Column::J => own(Quantity::J),
-            Column::PressureAngle => own(Quantity::PressureAngle),
-            Column::Rho => of_bend(&|bend| follower.profile_radius(bend)),
-            Column::RhoPitch if follower.is_flat() => Default::default(),
-            Column::RhoPitch => of_bend(&|bend| 1.0 / bend),
-            Column::X => part(&samples.profile, |contact| contact.point, |point| point.re),
-            Column::Y => part(&samples.profile, |contact| contact.point, |point| point.im),
-            Column::PitchX => part(&samples.pitch, |contact| contact.trace, |point| point.re),
-            Column::PitchY => part(&samples.pitch, |contact| contact.trace, |point| point.im),
-            Column::Contact => own(Quantity::Reach),
-            Column::OuterX => walls[0].take().unwrap_or_default(),
-            Column::OuterY => walls[1].take().unwrap_or_default(),
+        if cam.closure != Closure::Groove {
+            return Default::default();
         }
+        let mirrored = |(inner, trace): (&Point, &Point)| part(&(trace * 2.0 - inner));
+        let walls = samples.profile.iter().zip(&samples.pitch).step_by(every).map(mirrored);
+        (
+            with_room(walls),
+            end.as_ref().map(|contact| part(&cam.in_cam_frame(contact.trace * 2.0 - contact.point, span))),
+        )
     };
-    let mut columns: Vec<Vec<f64>> = Column::ALL.into_iter().map(|column| finish(of(column))).collect();
-    if let Some(last) = columns[Column::Theta as usize].last_mut() {
-        *last = span;
-    }
-    columns
+    let of = |column: Column| match column {
+        Column::Theta => (with_room((0..steps).map(|row| samples.station(row * every))), Some(span)),
+        Column::S => own(Quantity::S),
+        Column::V => own(Quantity::V),
+        Column::A => own(Quantity::A),
+        Column::J => own(Quantity::J),
+        Column::PressureAngle => own(Quantity::PressureAngle),
+        Column::Rho => of_bend(&|bend| follower.profile_radius(bend)),
+        Column::RhoPitch if follower.is_flat() => Default::default(),
+        Column::RhoPitch => of_bend(&|bend| 1.0 / bend),
+        Column::X => part(&samples.profile, |contact| contact.point, |point| point.re),
+        Column::Y => part(&samples.profile, |contact| contact.point, |point| point.im),
+        Column::PitchX => part(&samples.pitch, |contact| contact.trace, |point| point.re),
+        Column::PitchY => part(&samples.pitch, |contact| contact.trace, |point| point.im),
+        Column::Contact => own(Quantity::Reach),
+        Column::OuterX => outer(|point| point.re),
+        Column::OuterY => outer(|point| point.im),
+    };
+    let closed = |column: Column| {
+        let (mut values, last) = of(column);
+        if let Some(&first) = values.first() {
+            let comes_round = end.is_none() && column != Column::Theta;
+            values.push(last.filter(|_| !comes_round).unwrap_or(first));
+        }
+        values
+    };
+    Column::ALL.into_iter().map(closed).collect()
+}
+
+/// Values in a list that has room for the row at the end.
+fn with_room(values: impl ExactSizeIterator<Item = f64>) -> Vec<f64> {
+    let mut list = Vec::with_capacity(values.len() + 1);
+    list.extend(values);
+    list
 }

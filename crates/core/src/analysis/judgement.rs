@@ -95,7 +95,7 @@ fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
     let kind = if cam.follower.is_flat() { FindingKind::ConcaveFlat } else { FindingKind::Undercut };
     let follower = &cam.follower;
     let stretches = intervals(cam, samples, Quantity::Bend, theta, |bend| -follower.regularity(bend));
-    let bends = samples.grid(Quantity::Bend);
+    let bends = samples.of_all(Quantity::Bend);
     let each = stretches.iter().map(|&(from, to)| {
         let inside = (0..bends.len()).filter(|&i| within(cam, (from, to), samples.theta[i]));
         let worst = inside.min_by(|&a, &b| follower.regularity(bends[a]).total_cmp(&follower.regularity(bends[b])));

@@ -9,7 +9,7 @@ pub(crate) use judgement::finding;
 pub use summary::Summary;
 
 use crate::samples::Samples;
-use crate::{Body, Cam, Finding, Joint, Level};
+use crate::{Cam, Finding, Joint, Level};
 use column::tabulate;
 use judgement::judge;
 use summary::summarise;
@@ -36,15 +36,12 @@ impl Analysis {
     #[must_use]
     pub fn of(cam: &Cam, steps: usize) -> Self {
         let steps = steps.max(1);
-        let mut samples = Samples::of(cam, steps);
-        if let Body::Swing { .. } = cam.follower.body {
-            samples.measure_radius(cam);
-        }
+        let samples = Samples::of(cam, steps);
         let summary = summarise(cam, &samples);
         let joints = cam.program.classified_joints();
         let findings = judge(cam, &samples, &summary, &joints);
         let level = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Acceptable);
-        Self { columns: tabulate(cam, samples, steps), summary, joints, findings, level }
+        Self { columns: tabulate(cam, &samples, steps), summary, joints, findings, level }
     }
 
     /// A column, or nothing when it does not apply to this follower.

@@ -57,12 +57,12 @@ pub(super) fn summarise(cam: &Cam, samples: &Samples) -> Summary {
 /// The distance between the two parallel tangents of the profile (or between the near sides of two rollers on the same
 /// diameter), station by station: half a turn away is as many stations away.
 fn measured_breadth(cam: &Cam, samples: &Samples) -> Extremes {
-    let s = samples.grid(Quantity::S);
+    let (s, _) = samples.rows(Quantity::S, 1);
     let half = s.len() / 2;
-    let facing = |i: usize| 2.0 * cam.follower.base_radius + s[i] + cam.program.at(samples.theta[i] + PI).s;
+    let facing = |i: usize| 2.0 * cam.follower.base_radius + s[i] + cam.program.at(samples.station(i) + PI).s;
     let mut found = Extremes { min: f64::INFINITY, min_at: 0.0, max: f64::NEG_INFINITY, max_at: 0.0 };
     for i in 0..half.max(1) {
-        let (breadth, theta) = (facing(i), samples.theta[i]);
+        let (breadth, theta) = (facing(i), samples.station(i));
         if breadth < found.min {
             (found.min, found.min_at) = (breadth, theta);
         }
