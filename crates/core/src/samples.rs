@@ -13,7 +13,7 @@ const LEAST_STEPS_OF_A_STRETCH: usize = 8;
 /// A station this close to a joint (radians) lies on it.
 const SNAP: f64 = 1e-11;
 
-/// Stations between two turns of the frame that are computed afresh; those between are products of two of them.
+/// Stations looked at together. Of their turns of the frame one is computed afresh; the others are products of two.
 const BLOCK: usize = 32;
 
 /// Something that varies along the turn and whose extremes matter.
@@ -193,57 +193,78 @@ impl Samples {
             let step = self.span / self.stations as f64;
             ((((stretch.to - snap) / step).ceil()) as usize).max(first)
         };
+        let starts_on_grid = first < after && self.station(first) - stretch.from < snap;
+        let parts = if after - first < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
+        let mut station = first;
+        for part in usize::from(starts_on_grid)..=parts {
+            let share = part as f64 / parts as f64;
+            let own = if part == parts { stretch.to } else { stretch.from + (stretch.to - stretch.from) * share };
+            let before = (station..after).find(|&k| part < parts && self.station(k) >= own).unwrap_or(after);
+            self.look_at_stations(cam, stretch, station..before);
+            self.look_at(cam, stretch, &[own]);
+            station = before;
+        }
+        self.spans.push(first_sample..self.theta.len());
+    }
+
+    /// Looks at stations of the grid that follow each other.
+    fn look_at_stations(&mut self, cam: &Cam, stretch: &Stretch, stations: Range<usize>) {
+        if stations.is_empty() {
+            return;
+        }
+        self.runs.push(self.theta.len()..self.theta.len() + stations.len());
+        for first in stations.clone().step_by(BLOCK) {
+            let theta: [f64; BLOCK] = std::array::from_fn(|i| self.station(first + i));
+            let theta = &theta[..BLOCK.min(stations.end - first)];
+            let touched = self.look_at(cam, stretch, theta);
+            let turns = self.turns.get(first..).unwrap_or_default();
+            let in_cam_frame = |points: &[Point; BLOCK], list: &mut Vec<Point>| {
+                if turns.is_empty() {
+                    list.extend(points.iter().zip(theta).map(|(point, theta)| point + theta));
+                } else {
+                    list.extend(points.iter().zip(turns).take(theta.len()).map(|(point, turn)| point * turn));
+                }
+            };
+            in_cam_frame(&touched.points, &mut self.profile);
+            if !cam.follower.is_flat() {
+                in_cam_frame(&touched.traces, &mut self.pitch);
+            }
+        }
+    }
+
+    /// Looks at places of a stretch, at most [`BLOCK`] of them: side by side first, since a list that may grow is slow to write to.
+    #[inline]
+    fn look_at(&mut self, cam: &Cam, stretch: &Stretch, theta: &[f64]) -> Touched {
+        let mut values = [[0.0; BLOCK]; Quantity::COUNT];
+        let mut touched = Touched { points: [Point::default(); BLOCK], traces: [Point::default(); BLOCK] };
         let look = |theta: f64| {
             let motion = stretch.at(theta);
             (motion, cam.contact(motion))
         };
         // A dwell is looked at once.
         let still = stretch.is_still().then(|| look(stretch.from));
-        let starts_on_grid = first < after && self.station(first) - stretch.from < snap;
-        let parts = if after - first < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
-        let own = |i: usize| stretch.from + (stretch.to - stretch.from) * (i as f64 / parts as f64);
-        let mut next_own = usize::from(starts_on_grid);
-        let mut run = self.theta.len();
-        for k in first..after {
-            let theta = self.station(k);
-            while next_own < parts && own(next_own) < theta {
-                self.end_run(run);
-                self.put(cam, own(next_own), still.unwrap_or_else(|| look(own(next_own))));
-                (next_own, run) = (next_own + 1, self.theta.len());
-            }
+        let mut away = true;
+        for (i, &theta) in theta.iter().enumerate() {
             let (motion, contact) = still.unwrap_or_else(|| look(theta));
-            self.put(cam, theta, (motion, contact));
-            let turn = self.turns.get(k).copied();
-            let in_cam_frame = |point: Point| turn.map_or(point + theta, |turn| point * turn);
-            self.profile.push(in_cam_frame(contact.point));
-            if !cam.follower.is_flat() {
-                self.pitch.push(in_cam_frame(contact.trace));
+            for quantity in Quantity::ALL {
+                values[quantity as usize][i] = quantity.of(&motion, &contact);
             }
+            (touched.points[i], touched.traces[i]) = (contact.point, contact.trace);
+            away &= looks_away(&contact);
         }
-        self.end_run(run);
-        for i in next_own..=parts {
-            let theta = if i == parts { stretch.to } else { own(i) };
-            self.put(cam, theta, still.unwrap_or_else(|| look(theta)));
+        self.star_shaped &= away || cam.follower.drive == Drive::Travels;
+        self.theta.extend_from_slice(theta);
+        for quantity in Quantity::ALL.into_iter().filter(|quantity| quantity.is_wanted(cam)) {
+            self.values[quantity as usize].extend_from_slice(&values[quantity as usize][..theta.len()]);
         }
-        self.spans.push(first_sample..self.theta.len());
+        touched
     }
+}
 
-    fn end_run(&mut self, from: usize) {
-        if from < self.theta.len() {
-            self.runs.push(from..self.theta.len());
-        }
-    }
-
-    #[inline(always)]
-    fn put(&mut self, cam: &Cam, theta: f64, (motion, contact): (Svaj, Contact)) {
-        self.theta.push(theta);
-        for quantity in Quantity::ALL {
-            if quantity.is_wanted(cam) {
-                self.values[quantity as usize].push(quantity.of(&motion, &contact));
-            }
-        }
-        self.star_shaped &= cam.follower.drive == Drive::Travels || looks_away(&contact);
-    }
+/// Contact and trace points of a block of samples, in the fixed frame.
+struct Touched {
+    points: [Point; BLOCK],
+    traces: [Point; BLOCK],
 }
 
 #[inline(always)]
