@@ -145,8 +145,9 @@ impl Samples {
             },
             star_shaped: true,
         };
+        let mut block = Block::default();
         for stretch in stretches {
-            samples.look_along(cam, stretch);
+            samples.look_along(cam, stretch, &mut block);
         }
         samples
     }
@@ -184,7 +185,7 @@ impl Samples {
         self.span * k as f64 / self.stations as f64
     }
 
-    fn look_along(&mut self, cam: &Cam, stretch: &Stretch) {
+    fn look_along(&mut self, cam: &Cam, stretch: &Stretch, block: &mut Block) {
         let snap = SNAP * (self.span / TAU);
         let (first, first_sample) = (self.profile.len(), self.theta.len());
         let after = if stretch.to >= self.span {
@@ -200,43 +201,42 @@ impl Samples {
             let share = part as f64 / parts as f64;
             let own = if part == parts { stretch.to } else { stretch.from + (stretch.to - stretch.from) * share };
             let before = (station..after).find(|&k| part < parts && self.station(k) >= own).unwrap_or(after);
-            self.look_at_stations(cam, stretch, station..before);
-            self.look_at(cam, stretch, &[own]);
+            self.look_at_stations(cam, stretch, station..before, block);
+            self.look_at(cam, stretch, &[own], block);
             station = before;
         }
         self.spans.push(first_sample..self.theta.len());
     }
 
     /// Looks at stations of the grid that follow each other.
-    fn look_at_stations(&mut self, cam: &Cam, stretch: &Stretch, stations: Range<usize>) {
+    fn look_at_stations(&mut self, cam: &Cam, stretch: &Stretch, stations: Range<usize>, block: &mut Block) {
         if stations.is_empty() {
             return;
         }
         self.runs.push(self.theta.len()..self.theta.len() + stations.len());
         for first in stations.clone().step_by(BLOCK) {
+            let count = BLOCK.min(stations.end - first);
             let theta: [f64; BLOCK] = std::array::from_fn(|i| self.station(first + i));
-            let theta = &theta[..BLOCK.min(stations.end - first)];
-            let touched = self.look_at(cam, stretch, theta);
+            let theta = &theta[..count];
+            self.look_at(cam, stretch, theta, block);
             let turns = self.turns.get(first..).unwrap_or_default();
             let in_cam_frame = |points: &[Point; BLOCK], list: &mut Vec<Point>| {
                 if turns.is_empty() {
                     list.extend(points.iter().zip(theta).map(|(point, theta)| point + theta));
                 } else {
-                    list.extend(points.iter().zip(turns).take(theta.len()).map(|(point, turn)| point * turn));
+                    list.extend(points[..count].iter().zip(turns).map(|(point, turn)| point * turn));
                 }
             };
-            in_cam_frame(&touched.points, &mut self.profile);
+            in_cam_frame(&block.points, &mut self.profile);
             if !cam.follower.is_flat() {
-                in_cam_frame(&touched.traces, &mut self.pitch);
+                in_cam_frame(&block.traces, &mut self.pitch);
             }
         }
     }
 
-    /// Looks at places of a stretch, at most [`BLOCK`] of them: side by side first, since a list that may grow is slow to write to.
-    #[inline]
-    fn look_at(&mut self, cam: &Cam, stretch: &Stretch, theta: &[f64]) -> Touched {
-        let mut values = [[0.0; BLOCK]; Quantity::COUNT];
-        let mut touched = Touched { points: [Point::default(); BLOCK], traces: [Point::default(); BLOCK] };
+    /// Looks at places of a stretch, at most [`BLOCK`] of them.
+    fn look_at(&mut self, cam: &Cam, stretch: &Stretch, theta: &[f64], block: &mut Block) {
+        let wanted = Quantity::ALL.map(|quantity| quantity.is_wanted(cam));
         let look = |theta: f64| {
             let motion = stretch.at(theta);
             (motion, cam.contact(motion))
@@ -247,24 +247,36 @@ impl Samples {
         for (i, &theta) in theta.iter().enumerate() {
             let (motion, contact) = still.unwrap_or_else(|| look(theta));
             for quantity in Quantity::ALL {
-                values[quantity as usize][i] = quantity.of(&motion, &contact);
+                if wanted[quantity as usize] {
+                    block.values[quantity as usize][i] = quantity.of(&motion, &contact);
+                }
             }
-            (touched.points[i], touched.traces[i]) = (contact.point, contact.trace);
+            (block.points[i], block.traces[i]) = (contact.point, contact.trace);
             away &= looks_away(&contact);
         }
         self.star_shaped &= away || cam.follower.drive == Drive::Travels;
         self.theta.extend_from_slice(theta);
-        for quantity in Quantity::ALL.into_iter().filter(|quantity| quantity.is_wanted(cam)) {
-            self.values[quantity as usize].extend_from_slice(&values[quantity as usize][..theta.len()]);
+        for (list, values) in
+            self.values.iter_mut().zip(&block.values).zip(wanted).filter_map(|(pair, wanted)| wanted.then_some(pair))
+        {
+            list.extend_from_slice(&values[..theta.len()]);
         }
-        touched
     }
 }
 
-/// Contact and trace points of a block of samples, in the fixed frame.
-struct Touched {
+/// Where samples are put side by side before they are appended, since a list that may grow is slow to write to one by one. Points are
+/// in the fixed frame.
+struct Block {
+    values: [[f64; BLOCK]; Quantity::COUNT],
     points: [Point; BLOCK],
     traces: [Point; BLOCK],
+}
+
+impl Default for Block {
+    fn default() -> Self {
+        let nowhere = [Point::default(); BLOCK];
+        Self { values: [[0.0; BLOCK]; Quantity::COUNT], points: nowhere, traces: nowhere }
+    }
 }
 
 #[inline(always)]
