@@ -1,6 +1,7 @@
 //! Products in order: one number, like factors together as powers, functions last.
 
-use super::{Constant, Number, Tree};
+use super::tree::Tree::{self, Number};
+use levalab_core::ExpressionConstant as Constant;
 
 /// A product of a fraction and of factors raised to numbers.
 struct Product {
