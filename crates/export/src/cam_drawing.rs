@@ -1,13 +1,16 @@
 //! The cam with its follower at θ = 0, drawn to scale as SVG.
 
+mod legend;
+mod look;
+
 use crate::curves::{Curve, Role, Shape, curves, profile, room};
 use crate::follower_drawing::{Outline, follower};
-use crate::paper::{Bounds, scale_for, scale_name};
+use crate::paper::{Bounds, scale_for};
 use crate::svg::{escaped, short, through};
-use crate::words::Word;
 use crate::{Refusal, Shaft, Step, Subject};
+use legend::{LEAST_WIDTH, has_name, legend_height};
 use levalab_core::Point;
-use levalab_words::Signs;
+use look::{OUTLINE, class, stroke};
 use std::fmt::Write;
 
 /// What the drawing is for.
@@ -26,36 +29,6 @@ const MARGIN: f64 = 4.0;
 
 /// Size of the type, mm.
 const TYPE: f64 = 3.2;
-
-/// From line to line, mm.
-const LINE: f64 = 5.0;
-
-/// Room for the line of 100 mm, mm.
-const CHECK: f64 = 12.0;
-
-/// The least width, which its words need and the line of 100 mm, mm.
-const LEAST_WIDTH: f64 = 108.0;
-
-/// From this width on, the names of the lines stand in two columns, mm.
-const TWO_COLUMNS: f64 = 165.0;
-
-/// Width of a visible outline, mm (ISO 128); other lines are half as wide.
-const OUTLINE: f64 = 0.5;
-
-const INK: &str = "#16191d";
-
-/// The outline of the second cam of a pair.
-const SECOND: &str = "#8a5300";
-
-/// The look of a line, the same as on the page: its colour and its dashes, mm.
-fn look(role: Role) -> (&'static str, &'static str) {
-    match role {
-        Role::Profile | Role::Outer | Role::Bore => ("#2b3238", ""),
-        Role::Pitch => ("#0068a4", "1 1"),
-        Role::Base => ("#6a737b", "2.4 1.3"),
-        Role::Prime => ("#8a6d3b", "3.7 1 0.7 1"),
-    }
-}
 
 /// The drawing as SVG text. It is as large as the cam, in millimetres, or in a scale that is told on it.
 ///
@@ -76,15 +49,6 @@ pub fn cam_svg(subject: &Subject, options: &CamDrawing) -> Result<String, Refusa
 /// The measure of the follower: the greatest radius of the cams, or half of what a cam that travels is long.
 fn reach(subject: &Subject, curves: &[Curve]) -> f64 {
     if subject.travels() { subject.size() } else { profile(curves).map(|point| point.norm()).fold(0.0, f64::max) }
-}
-
-/// The second cam of a pair is told by its profile and its base circle.
-fn has_name(curve: &Curve) -> bool {
-    match curve.role {
-        Role::Bore => false,
-        Role::Profile | Role::Base => true,
-        Role::Outer | Role::Pitch | Role::Prime => !curve.second,
-    }
 }
 
 fn bounds(curves: &[Curve]) -> Bounds {
@@ -183,16 +147,8 @@ impl Sheet {
     }
 
     fn curve(&self, text: &mut String, curve: &Curve) {
-        let (colour, dash) = look(curve.role);
-        let solid = dash.is_empty();
-        let width = if solid { OUTLINE } else { OUTLINE / 2.0 };
         let fill = if curve.role == Role::Bore { "#ffffff" } else { "none" };
-        let dash = if solid { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
-        let colour = if curve.second && solid { SECOND } else { colour };
-        let paint = format!(
-            "class=\"{}\" fill=\"{fill}\" stroke=\"{colour}\" stroke-width=\"{width}\"{dash}",
-            class(curve.role)
-        );
+        let paint = format!("class=\"{}\" fill=\"{fill}\" {}", class(curve.role), stroke(curve));
         let _ = match &curve.shape {
             Shape::Closed(points) | Shape::Open(points) => {
                 let closed = matches!(curve.shape, Shape::Closed(_));
@@ -251,105 +207,4 @@ impl Sheet {
             );
         }
     }
-
-    /// What each line is, the scale, and the line to check it by.
-    fn legend(&self, text: &mut String, subject: &Subject, curves: &[Curve], title: &str) {
-        let said = |word: Word| word.said(subject.language);
-        let mut y = self.height - self.legend;
-        let caption = format!("{title} · {} {}", said(Word::Scale), scale_name(self.scale));
-        self.words(text, MARGIN, y, &caption, "font-weight=\"bold\"");
-        let mut entries: Vec<&Curve> = curves.iter().filter(|curve| has_name(curve)).collect();
-        entries.sort_by_key(|curve| (curve.second, order(curve.role)));
-        let columns = columns(self.width);
-        let column = (self.width - 2.0 * MARGIN) / columns as f64;
-        for (k, curve) in entries.into_iter().enumerate() {
-            let x = MARGIN + column * (k % columns) as f64;
-            if k % columns == 0 {
-                y += LINE;
-            }
-            let (colour, dash) = look(curve.role);
-            let colour = if curve.second && dash.is_empty() { SECOND } else { colour };
-            let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{dash}\"") };
-            let width = if dash.is_empty() { OUTLINE } else { OUTLINE / 2.0 };
-            let sample = through([Point::new(x, y - 1.0), Point::new(x + 9.0, y - 1.0)], false);
-            let _ = writeln!(text, "<path stroke=\"{colour}\" stroke-width=\"{width}\"{dash} d=\"{sample}\"/>");
-            self.words(text, x + 11.0, y, &name(subject, curve), "");
-        }
-        if self.check {
-            self.check_line(text, said(Word::Check));
-        }
-    }
-
-    fn check_line(&self, text: &mut String, words: &str) {
-        let y = self.height - 7.0;
-        let mut data = through([Point::new(MARGIN, y), Point::new(MARGIN + 100.0, y)], false);
-        for k in 0..=10 {
-            let x = MARGIN + 10.0 * f64::from(k);
-            let tick = if k % 5 == 0 { 2.4 } else { 1.4 };
-            data += &through([Point::new(x, y), Point::new(x, y - tick)], false);
-        }
-        let _ =
-            writeln!(text, "<path class=\"check\" stroke=\"{INK}\" stroke-width=\"{}\" d=\"{data}\"/>", OUTLINE / 2.0);
-        self.words(text, MARGIN, y + LINE, words, "");
-    }
-
-    fn words(&self, text: &mut String, x: f64, y: f64, words: &str, look: &str) {
-        let space = if look.is_empty() { "" } else { " " };
-        let _ =
-            writeln!(text, "<text x=\"{}\" y=\"{}\" fill=\"{INK}\"{space}{look}>{words}</text>", short(x), short(y));
-    }
-}
-
-/// Columns in which the names of the lines stand.
-fn columns(width: f64) -> usize {
-    if width < TWO_COLUMNS { 1 } else { 2 }
-}
-
-/// Height of the words under the drawing: the title, then the names of the lines.
-fn legend_height(width: f64, names: usize, check: bool) -> f64 {
-    let lines = 1 + names.div_ceil(columns(width));
-    lines as f64 * LINE + if check { CHECK } else { 0.0 }
-}
-
-/// The place of a line in the list of names.
-fn order(role: Role) -> usize {
-    [Role::Profile, Role::Outer, Role::Pitch, Role::Base, Role::Prime]
-        .iter()
-        .position(|known| *known == role)
-        .unwrap_or(0)
-}
-
-fn class(role: Role) -> &'static str {
-    match role {
-        Role::Profile => "profile",
-        Role::Outer => "outer-wall",
-        Role::Pitch => "pitch-curve",
-        Role::Base => "base-circle",
-        Role::Prime => "prime-circle",
-        Role::Bore => "bore",
-    }
-}
-
-/// The name of a curve, with its radius when it is a circle.
-fn name(subject: &Subject, curve: &Curve) -> String {
-    let language = subject.language;
-    let word = match curve.role {
-        Role::Profile => Word::Profile,
-        Role::Outer => Word::OuterWall,
-        Role::Pitch => Word::PitchCurve,
-        Role::Base if subject.travels() => Word::BaseLine,
-        Role::Base => Word::BaseCircle,
-        Role::Prime => Word::PrimeCircle,
-        Role::Bore => Word::Bore,
-    };
-    let radius = match curve.shape {
-        Shape::Circle(radius) => {
-            let symbol = if curve.role == Role::Prime { "R_p" } else { "R_b" };
-            let symbol = Signs::of(subject.design.notation).plain(symbol);
-            format!(", {symbol} = {} {}", language.number(radius), subject.design.length_unit.symbol())
-        }
-        Shape::Closed(_) | Shape::Open(_) => String::new(),
-    };
-    let name = format!("{}{radius}", word.said(language));
-    if curve.second { format!("{}: {}", levalab_words::second_cam(language), name) } else { name }
 }
