@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::input;
 use levalab_solve::{Request, Symbols, Worked, latex, markdown, page, solve};
-use levalab_words::Language;
+use levalab_words::{Language, two};
 
 /// What is asked of a solution.
 #[derive(clap::Args)]
@@ -44,10 +44,7 @@ pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
         return Err(Failure::usage(format!("--segment: {said}")));
     }
     if options.theta.is_some_and(|theta| !theta.is_finite()) {
-        let said = match language {
-            Language::En => "It must be a number that can be held.",
-            Language::Es => "Tiene que ser un número finito.",
-        };
+        let said = two("It must be a number that can be held.", "Tiene que ser un número finito.").within(language);
         return Err(Failure::usage(format!("--theta: {said}")));
     }
     let segment = options.segment.map(|k| k - 1);

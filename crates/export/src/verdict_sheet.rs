@@ -3,7 +3,7 @@
 use crate::Subject;
 use crate::sheets::{Cell, Row};
 use crate::table::Measure;
-use crate::words::{Word, level};
+use crate::words::Word;
 use levalab_core::{Analysis, Cam, Column};
 use levalab_format::report::Report;
 
@@ -31,7 +31,7 @@ fn of_cam(subject: &Subject, cam: &Cam) -> Vec<Row> {
     let cures = levalab_format::cures(design, cam, &analysis);
     let mut rows = vec![
         Row::head([said(Word::Verdict)]),
-        Row::of([level(report.level, language).into()]),
+        Row::of([levalab_words::level(language, report.level).into()]),
         Row::of([Cell::Text(levalab_words::headline(language, &report))]),
         Row::gap(),
     ];
@@ -43,7 +43,7 @@ fn of_cam(subject: &Subject, cam: &Cam) -> Vec<Row> {
         let cures: Vec<String> =
             cures.iter().map(|cure| levalab_words::cure(language, design, finding, &cure.remedy)).collect();
         rows.push(Row::of([
-            level(finding.level, language).into(),
+            levalab_words::level(language, finding.level).into(),
             Cell::Text(levalab_words::finding(language, design, finding)),
             finding.theta.into(),
             Cell::maybe(finding.value),

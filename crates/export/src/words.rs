@@ -1,7 +1,6 @@
 //! The words that stand in files: names of sheets, heads of columns, labels of drawings, in every language.
 
-use levalab_core::Level;
-use levalab_words::Language;
+use levalab_words::{Language, capital, two};
 
 /// Something that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,10 +63,7 @@ impl Word {
     /// The word in a language.
     pub fn said(self, language: Language) -> &'static str {
         let (en, es) = self.both();
-        match language {
-            Language::En => en,
-            Language::Es => es,
-        }
+        two(en, es).within(language)
     }
 
     fn both(self) -> (&'static str, &'static str) {
@@ -169,28 +165,10 @@ pub(crate) fn field(key: &str, language: Language) -> &str {
         "angle" => ("Angle between contacts Γ", "Ángulo entre contactos Γ"),
         _ => return key,
     };
-    match language {
-        Language::En => en,
-        Language::Es => es,
-    }
-}
-
-/// The verdict in a word or two.
-pub(crate) fn level(level: Level, language: Language) -> &'static str {
-    let (en, es) = match level {
-        Level::Acceptable => ("acceptable", "aceptable"),
-        Level::LowSpeed => ("not for high speeds", "no apta para altas velocidades"),
-        Level::Unacceptable => ("unacceptable", "inaceptable"),
-    };
-    match language {
-        Language::En => en,
-        Language::Es => es,
-    }
+    two(en, es).within(language)
 }
 
 /// The name of a law where it stands alone, and not within a sentence as `la ley de seno modificado`.
 pub(crate) fn law_alone(name: &str) -> String {
-    let name = name.strip_prefix("de ").unwrap_or(name);
-    let mut letters = name.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    capital(name.strip_prefix("de ").unwrap_or(name))
 }

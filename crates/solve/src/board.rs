@@ -8,18 +8,7 @@ use levalab_format::Design;
 use levalab_format::report::scale_of;
 use levalab_formula::Formula;
 use levalab_words::Language;
-
-/// The same in both languages.
-#[derive(Clone, Copy)]
-pub struct Two {
-    pub en: &'static str,
-    pub es: &'static str,
-}
-
-/// Both, English first.
-pub const fn two(en: &'static str, es: &'static str) -> Two {
-    Two { en, es }
-}
+pub use levalab_words::{Two, two};
 
 /// Orders of the derivatives by their letters, per angle and per second.
 pub const LETTERS: [&str; 4] = ["s", "v", "a", "j"];
@@ -47,11 +36,9 @@ impl<'a> Board<'a> {
 
     /// Words in the language of the board, each `{name}` replaced by what it stands for.
     pub fn words(&self, text: Two, values: &[(&str, &str)]) -> String {
-        let text = match self.language {
-            Language::En => text.en,
-            Language::Es => text.es,
-        };
-        values.iter().fold(text.to_owned(), |text, (name, value)| text.replace(&format!("{{{name}}}"), value))
+        values.iter().fold(text.within(self.language).to_owned(), |text, (name, value)| {
+            text.replace(&format!("{{{name}}}"), value)
+        })
     }
 
     pub fn line(&self, text: Two, values: &[(&str, &str)]) -> Line {

@@ -9,7 +9,7 @@ use levalab_core::FollowerKind;
 /// Place, name and body; a follower without words has only its name, which a test does not let pass.
 #[must_use]
 pub fn entry(pen: Pen, kind: &FollowerKind, assets: &Assets) -> (String, String, String) {
-    let name = capital(levalab_words::follower(pen.language, kind));
+    let name = levalab_words::capital(levalab_words::follower(pen.language, kind));
     let body = follower(kind.id).map(|words| body(pen, words, assets)).unwrap_or_default();
     (kind.id.to_owned(), name, body)
 }
@@ -29,12 +29,6 @@ fn body(pen: Pen, words: &FollowerWords, assets: &Assets) -> String {
         part(two("What fails, and its cure", "Qué falla y cómo se remedia"), paragraph(words.fails)),
     ]
     .concat()
-}
-
-/// With its first letter as at the head of a line.
-pub(crate) fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 #[cfg(test)]

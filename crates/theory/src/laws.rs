@@ -1,7 +1,6 @@
 //! A law's section of the theory: everything but its words comes from its own curve.
 
 use crate::figure;
-use crate::followers::capital;
 use crate::html::Pen;
 use crate::study::Study;
 use crate::words::laws::{LawWords, law};
@@ -19,7 +18,7 @@ pub fn entry(pen: Pen, law: &Law) -> (String, String, String) {
 /// Its name as in the menu of the page, or as in a sentence.
 fn name(pen: Pen, law: &Law) -> String {
     let known = pen.labels.get(&format!("law.{}", law.id));
-    known.cloned().unwrap_or_else(|| capital(levalab_words::law(pen.language, law)))
+    known.cloned().unwrap_or_else(|| levalab_words::capital(levalab_words::law(pen.language, law)))
 }
 
 fn body(pen: Pen, entry: &Law) -> String {

@@ -1,6 +1,6 @@
 //! What is said of an application. Apart from the voices, so that a page without one does not carry it.
 
-use crate::{Language, Units, numbers};
+use crate::{Language, Units, capital, numbers, two};
 use levalab_core::application::Magnitude;
 use levalab_format::{ApplicationDesign, Design, Outcome, OutputRange, Target};
 
@@ -24,10 +24,7 @@ pub fn application_name(language: Language, id: &str) -> &str {
         "seat_angle" => ("seat angle", "ángulo del asiento"),
         _ => return id,
     };
-    match language {
-        Language::En => en,
-        Language::Es => es,
-    }
+    two(en, es).within(language)
 }
 
 /// The name of an application where it stands alone, in a menu: a force needs to say in proportion to what.
@@ -128,11 +125,6 @@ impl Sentences<'_> {
             None => self.fine(place) + "°",
         }
     }
-}
-
-fn capital(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Why a gap of a program was joined as it was, and what keeps one from being joined.
 
-use crate::{Language, Units, law};
+use crate::{Language, Units, law, two};
 use levalab_core::{Choice, JoinProblem, Reason, Taste, Tried, Way};
 use levalab_format::Design;
 
@@ -132,5 +132,5 @@ pub(crate) fn problem(language: Language, problem: JoinProblem) -> String {
             "Después de este ninguna ley llega al siguiente sin bajar de la circunferencia base: deje más sitio, o más altura.",
         ],
     };
-    if language == Language::En { en.to_owned() } else { es.to_owned() }
+    two(en, es).within(language).to_owned()
 }

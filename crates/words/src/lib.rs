@@ -25,6 +25,7 @@ mod join;
 mod notation;
 mod numbers;
 mod pair;
+mod two;
 mod units;
 mod voice;
 
@@ -32,6 +33,7 @@ pub use application::{application_head, application_name, application_title, out
 pub use notation::{SIGNS, Signs};
 pub use numbers::notation;
 pub use pair::no_second;
+pub use two::{Two, capital, two};
 pub use voice::FileProblem;
 
 pub use join::choice as join_choice;

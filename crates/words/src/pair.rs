@@ -1,6 +1,6 @@
 //! Why a design has no second cam. Apart from the voices, so that a page that adds none does not carry it.
 
-use crate::{Language, Units, finding};
+use crate::{Language, Units, finding, two};
 use levalab_core::Tie;
 use levalab_format::Design;
 use levalab_format::report::Report;
@@ -32,10 +32,7 @@ pub fn no_second(language: Language, design: &Design, tie: Tie, report: &Report)
     };
     let geometric = report.findings.iter().filter(|found| !found.kind.is_of_the_motion());
     let wrong: Vec<String> = geometric.map(|found| finding(language, design, found)).collect();
-    let there = match language {
-        Language::En => "There, of the second cam:",
-        Language::Es => "Allí, de la segunda leva:",
-    };
+    let there = two("There, of the second cam:", "Allí, de la segunda leva:").within(language);
     format!("{nearest} {there} {}", wrong.join(" "))
 }
 

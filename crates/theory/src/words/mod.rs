@@ -6,32 +6,8 @@ pub mod laws;
 pub mod manual;
 pub mod terms;
 
-use levalab_words::Language;
-
-/// The same in English and in Spanish.
-#[derive(Clone, Copy, Debug)]
-pub struct Two {
-    /// English.
-    pub en: &'static str,
-    /// Spanish.
-    pub es: &'static str,
-}
-
-impl Two {
-    /// In one of them.
-    #[must_use]
-    pub fn within(self, language: Language) -> &'static str {
-        match language {
-            Language::En => self.en,
-            Language::Es => self.es,
-        }
-    }
-}
-
-/// Both, English first.
-pub(crate) const fn two(en: &'static str, es: &'static str) -> Two {
-    Two { en, es }
-}
+pub use levalab_words::Two;
+pub(crate) use levalab_words::two;
 
 #[cfg(test)]
 mod tests {
