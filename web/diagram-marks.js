@@ -9,9 +9,10 @@
 import { h, s } from "./dom.js";
 import { dress } from "./free-sheet.js";
 import { marksOf } from "./marks.js";
-import { lengthStep } from "./number-field.js";
+import { heightStep } from "./number-field.js";
+import { stepped, valueAt } from "./hand.js";
 import { factor, tidy } from "./scrub.js";
-import { atTheta } from "./stage/overlay.js";
+import { atTheta, atValue } from "./stage/overlay.js";
 
 /** Steps of a drag over the height of the diagram. */
 const DRAG_STEPS = 200;
@@ -51,9 +52,9 @@ export function createMarks(plots, context) {
    * @param {Row} row
    * @param {number} value
    */
-  function yOf({ area, y }, value) {
-    const down = (area.height * (area.y_max - value)) / (area.y_max - area.y_min);
-    return y + area.top + Math.min(Math.max(down, -BEYOND), area.height + BEYOND);
+  function yOf(row, value) {
+    const top = row.y + row.area.top;
+    return Math.min(Math.max(atValue(row, value), top - BEYOND), top + row.area.height + BEYOND);
   }
 
   /**
@@ -83,11 +84,10 @@ export function createMarks(plots, context) {
     });
     button.addEventListener("pointermove", (event) => {
       if (!dragged) return;
-      const { area, y } = dragged.row;
-      const top = event.clientY - plots.getBoundingClientRect().top - y - area.top;
-      const range = area.y_max - area.y_min;
-      const step = 10 ** Math.floor(Math.log10(range / DRAG_STEPS));
-      put(handle, tidy(Math.round((area.y_max - (top / area.height) * range) / step) * step), dragged.gesture);
+      const { area } = dragged.row;
+      const step = 10 ** Math.floor(Math.log10((area.y_max - area.y_min) / DRAG_STEPS));
+      const value = valueAt(dragged.row, event.clientY - plots.getBoundingClientRect().top);
+      put(handle, stepped(value, step), dragged.gesture);
     });
     for (const name of ["pointerup", "pointercancel"]) {
       button.addEventListener(name, () => {
@@ -100,9 +100,7 @@ export function createMarks(plots, context) {
       if (!way || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
       event.stopPropagation();
-      const { design } = store.state;
-      const step = design.follower.motion === "oscillating" ? 1 : lengthStep(design);
-      put(handle, tidy(handle.mark.height + way * step * factor(event)), `ordinate:${handle.mark.segment}.${handle.mark.item}`);
+      put(handle, tidy(handle.mark.height + way * heightStep(store.state.design) * factor(event)), `ordinate:${handle.mark.segment}.${handle.mark.item}`);
     });
     button.addEventListener("blur", () => store.endGesture());
     button.addEventListener("focus", () => store.set({ highlight: { segment: handle.mark.segment } }));

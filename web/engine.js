@@ -4,7 +4,7 @@
  * The first part is what the first picture needs. What is asked of the rest before it is there traps; the engine then fetches it, starts
  * afresh with both, and the design is analysed again.
  *
- * @import { ApplicationEntry, Design, Driven, Lab, Language, Opened, Read, Room, SolutionNode, TieKey } from "./types.d.ts"
+ * @import { ApplicationEntry, ChartStyle, Design, Driven, Lab, Language, Opened, PlotArea, Read, Room, SolutionNode, TieKey } from "./types.d.ts"
  */
 import { compileFirst, compileRest, glue } from "./module.js";
 
@@ -30,7 +30,8 @@ const RESTART_WINDOW = 10_000;
  * @property {(design: unknown) => Float64Array} data_marks
  * @property {(design: unknown, language: Language, theta?: number, segment?: number) => SolutionNode[] | undefined} solution
  * @property {(design: unknown, language: Language, theta: number | undefined, segment: number | undefined, to: "latex" | "markdown") => string} solution_text
- * @property {(wanted: unknown, language: Language) => import("./auto.js").Answer} join_requirements
+ * @property {(wanted: unknown, language: Language) => import("./auto/window.js").Answer} join_requirements
+ * @property {(canvas: HTMLCanvasElement, design: Design | null, style: ChartStyle, heights: Float64Array, held: Float64Array) => PlotArea} draw_sheet
  */
 
 /**

@@ -250,6 +250,12 @@ export function lengthStep(design) {
 }
 
 /**
+ * The same of heights, which are angles when the follower swings.
+ * @param {Readonly<Design>} design
+ */
+export const heightStep = (design) => (design.follower.motion === "oscillating" ? 1 : lengthStep(design));
+
+/**
  * A step of a tenth of the leading digit: 10 for 390, 0.1 for 1.
  * @param {number} value
  */

@@ -10,7 +10,7 @@ import { h, symbol } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { setBeta } from "./free-data.js";
 import { createThumbnail } from "./law-thumbnail.js";
-import { createNumberField, lengthStep } from "./number-field.js";
+import { createNumberField, heightStep, lengthStep } from "./number-field.js";
 import { changeLaw, heightAt } from "./program.js";
 import { placeIn } from "./stage/place.js";
 
@@ -63,7 +63,7 @@ export function createSegmentRow(context, actions) {
     unit: () => riseUnit(store.state.design),
     read: (design) => design.segments[index] && (design.segments[index].rise ?? clean(riseIn(store.state, index))),
     write: (draft, value) => set(draft.segments[index], "rise", value),
-    step: (design) => (design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
+    step: heightStep,
     path: () => `segments[${index}].rise`,
     highlight: () => ({ segment: index }),
     room: 6,

@@ -43,7 +43,7 @@ export function createSegments(context, texts) {
 
   const add = texts.text(h("button", { type: "button", class: "quiet" }), "segments.add");
   const auto = texts.text(h("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }), "segments.auto");
-  auto.addEventListener("click", async () => (await import("./auto.js")).openAuto(context));
+  auto.addEventListener("click", async () => (await import("./auto/index.js")).openAuto(context));
   const closing = createClosing(context, texts, add, auto);
   const menu = createSegmentMenu(t, act);
   const root = h(

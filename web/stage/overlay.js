@@ -29,6 +29,12 @@ export const atTheta = ({ area, x }, theta) => x + area.left + (area.width * (th
 export const thetaAt = ({ area, x }, px) => area.x_min + ((px - x - area.left) / area.width) * (area.x_max - area.x_min);
 
 /**
+ * @param {Row} row
+ * @param {number} value
+ */
+export const atValue = ({ area, y }, value) => y + area.top + (area.height * (area.y_max - value)) / (area.y_max - area.y_min);
+
+/**
  * @param {CanvasRenderingContext2D} context
  * @param {object} shown
  * @param {readonly Row[]} shown.rows
@@ -67,7 +73,7 @@ export function drawOverlay(context, { rows, width, height, ratio, cursor, hover
     const value = /** @type {number} */ (at[row.place]);
     if (!(value >= area.y_min && value <= area.y_max)) continue;
     context.beginPath();
-    context.arc(x, row.y + area.top + (area.height * (area.y_max - value)) / (area.y_max - area.y_min), 2.4 * palette.stroke, 0, 2 * Math.PI);
+    context.arc(x, atValue(row, value), 2.4 * palette.stroke, 0, 2 * Math.PI);
     context.fillStyle = row.colour;
     context.fill();
     context.strokeStyle = palette.paper;

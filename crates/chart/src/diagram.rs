@@ -17,6 +17,9 @@ const BEYOND: f64 = 1.12;
 /// How much is shown beyond the ends of a face, as a part of its length.
 const BEYOND_FACE: f64 = 0.08;
 
+/// Degrees between the lines of a sheet to draw on.
+const RULED: usize = 30;
+
 /// A quantity over one turn, ready to be drawn at any size. θ in degrees, values in the units of the design.
 #[derive(Clone, Debug)]
 pub struct Diagram {
@@ -115,6 +118,41 @@ impl Diagram {
         }
         let front = diagrams.pop()?;
         Some(Self { beside: diagrams, ..front })
+    }
+
+    /// The displacement as a sheet to draw on: exactly the heights from `low` to `high` over a turn, ruled evenly, with the curve of a
+    /// cam when there is one and no notes in the way.
+    #[must_use]
+    pub fn sheet(curve: Option<(&Cam, &Analysis)>, low: f64, high: f64) -> Self {
+        let mut diagram = curve.map_or_else(Self::blank, |(cam, analysis)| {
+            Self::whole(Quantity::S, cam, analysis, Timing::PerRadian)
+        });
+        diagram.borders = (RULED..360).step_by(RULED).map(|border| border as f64).collect();
+        diagram.extremes.clear();
+        // What is cut off bends like a height, not like a radius.
+        diagram.radius = None;
+        diagram.extent = Extent { low, high, cut: true, empty: false };
+        diagram.cut();
+        diagram
+    }
+
+    /// No curve at all.
+    fn blank() -> Self {
+        Self {
+            quantity: Quantity::S,
+            points: Vec::new(),
+            runs: Vec::new(),
+            jumps: Vec::new(),
+            travel: None,
+            borders: Vec::new(),
+            limits: Vec::new(),
+            forbidden: Vec::new(),
+            targets: Vec::new(),
+            extremes: Vec::new(),
+            extent: Extent { low: 0.0, high: 0.0, cut: false, empty: true },
+            radius: None,
+            beside: Vec::new(),
+        }
     }
 
     /// An output of an application at ω, in the units of the design, with the points that it is to hit: place (as drawn) and value.
