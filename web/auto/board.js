@@ -39,8 +39,10 @@ export function createBoard({ store, t, whole }, heights, ready) {
     const ratio = Math.max(devicePixelRatio, LEAST_RATIO);
     [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
     const style = styleOf(PLOTS.s, palette, { ...store.state, perSecond: false }, { width, height, ratio, labels: true });
-    const scale = held ? [held.area.y_min, held.area.y_max] : [];
-    const area = module.draw_sheet(canvas, design, style, Float64Array.from(heights()), Float64Array.from(scale));
+    const all = heights();
+    // A hand that goes on above the board takes it along.
+    const scale = held ? [held.area.y_min, Math.max(held.area.y_max, ...all)] : [];
+    const area = module.draw_sheet(canvas, design, style, Float64Array.from(all), Float64Array.from(scale));
     row = { area, x: 0, y: 0, place: 0, colour: palette.s };
     ready();
   }

@@ -29,9 +29,7 @@ export function createHand(layer, scale, hold) {
   /** @param {PointerEvent} event @param {Row} row @returns {{ at: Place, by: Place }} */
   function reach(event, row) {
     const { left, top } = layer.getBoundingClientRect();
-    const theta = thetaAt(row, event.clientX - left + row.area.left);
-    // Not beyond the board: it takes another scale as soon as the hand leaves it.
-    const s = Math.min(valueAt(row, event.clientY - top + row.area.top), row.area.y_max);
+    const [theta, s] = [thetaAt(row, event.clientX - left + row.area.left), valueAt(row, event.clientY - top + row.area.top)];
     const by = steps(row);
     const fine = Math.min(1, factor(event));
     return { at: { theta, s }, by: { theta: by.theta * fine, s: by.s * fine } };

@@ -1,7 +1,7 @@
 /** The look of Auto: it comes with it, so that a first visit does not load it. */
 
 const SHEET = `
-#auto { inline-size: min(68rem, 100vw - 2rem); max-inline-size: none; max-block-size: 96dvh; padding: var(--space-4) var(--space-5); overflow: auto; }
+#auto { inline-size: min(68rem, 100vw - 2rem); max-inline-size: none; max-block-size: 96dvh; margin-block-start: 2dvh; padding: var(--space-4) var(--space-5); overflow: auto; }
 #auto h2 { margin-block-end: var(--space-1); }
 #auto > p { margin-block: 0 var(--space-2); }
 #auto .auto-tools { display: flex; flex-wrap: wrap; align-items: center; gap: var(--space-1) var(--space-3); }
@@ -10,7 +10,7 @@ const SHEET = `
 #auto .auto-tools label:nth-of-type(3) > span::before { background: radial-gradient(circle closest-side, currentcolor 95%, transparent) center / 8px 100% no-repeat; }
 #auto .auto-history { display: flex; }
 #auto .auto-history button { display: grid; place-items: center; min-inline-size: var(--row); padding: 0; }
-#auto .auto-said { flex: 1 1 16rem; min-block-size: 1.4em; color: var(--muted); font-variant-numeric: tabular-nums; }
+#auto .auto-said { flex: 1 1 13rem; min-block-size: 1.4em; color: var(--muted); font-variant-numeric: tabular-nums; }
 #auto .auto-said.telling { color: var(--ink); }
 #auto .auto-plot { position: relative; margin-block-start: var(--space-2); }
 #auto canvas { display: block; inline-size: 100%; block-size: clamp(11rem, 34dvh, 24rem); }
@@ -35,7 +35,8 @@ const SHEET = `
 #auto .lit > :is(.auto-from, .auto-to)::before { background: var(--tint); }
 #auto .auto-layer button:focus-visible { outline: 2px solid var(--focus); outline-offset: -1px; }
 #auto .auto-tangent { position: absolute; inset: 0 auto auto 0; inline-size: var(--long); block-size: 2px; margin: -1px calc(var(--long) / -2); background: var(--accent); translate: var(--x) var(--y); rotate: atan2(var(--dy), var(--dx)); pointer-events: none; }
-#auto .error { min-block-size: 1.3em; margin-block: var(--space-1); }
+#auto .auto-problem { min-block-size: 1.3em; margin-block: var(--space-1); }
+#auto .auto-problem.error { color: var(--bad); }
 #auto .auto-halves { display: grid; grid-template-columns: minmax(0, 31rem) minmax(0, 1fr); gap: var(--space-2) var(--space-5); align-items: start; }
 #auto .auto-row { display: grid; grid-template-columns: 1.4rem minmax(7rem, 1fr) repeat(4, minmax(3rem, 4.5rem)) 28px; align-items: center; gap: 2px var(--space-1); padding: 2px var(--space-1); border-radius: var(--radius); }
 #auto .auto-row.lit { background: var(--hover); }
@@ -54,7 +55,7 @@ const SHEET = `
 #auto .auto-foot { position: sticky; z-index: 1; inset-block-end: calc(-1 * var(--space-4)); display: flex; justify-content: end; gap: var(--space-2); margin-block: var(--space-2) calc(-1 * var(--space-4)); padding-block: var(--space-3); background: var(--paper); }
 @media (max-width: 900px) { #auto .auto-halves { grid-template-columns: minmax(0, 1fr); } }
 @media (max-width: 480px) {
-  #auto { inline-size: 100vw; max-block-size: 100dvh; padding-inline: var(--space-3); border-inline: 0; border-radius: 0; }
+  #auto { inline-size: 100vw; max-block-size: 100dvh; margin-block-start: 0; border-block-start: 0; padding-inline: var(--space-3); border-inline: 0; border-radius: 0; }
   #auto .auto-row { grid-template-columns: 0.7rem 7.4rem repeat(4, minmax(2.2rem, 1fr)) 24px; padding-inline: 0; }
   #auto .auto-row :is(input, select) { padding-inline: 2px; font-size: var(--size-small); }
   #auto .auto-row select { padding-inline-end: 14px; }

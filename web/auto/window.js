@@ -40,7 +40,7 @@ export function createWindow(context) {
   const undo = h("button", { type: "button", class: "quiet" }, icon("undo"));
   const redo = h("button", { type: "button", class: "quiet" }, icon("redo"));
   const drawing = createDrawing(context, list, () => tool, say);
-  const problem = h("p", { class: "error", role: "status" });
+  const problem = h("p", { class: "auto-problem", role: "status" });
   const add = h("button", { type: "button", class: "quiet" });
   const none = h("button", { type: "button", class: "quiet" });
   const table = createTable(context, list, () => add.focus());
@@ -56,7 +56,7 @@ export function createWindow(context) {
     { id: "auto", "aria-labelledby": heading.id },
     heading,
     about,
-    h("div", { class: "auto-tools" }, tools.element, h("span", { class: "auto-history" }, undo, redo), spoken),
+    h("div", { class: "auto-tools" }, tools.element, spoken, h("span", { class: "auto-history" }, undo, redo)),
     drawing.root,
     problem,
     h(
@@ -163,6 +163,8 @@ export function createWindow(context) {
   function tell({ joined, error }) {
     const place = /^requirements\[(\d+)\]/.exec(error?.path ?? "")?.[1];
     write(problem, error ? (place === undefined ? error.message : t("auto.problem", { number: Number(place) + 1, message: error.message })) : "");
+    // Nothing asked for is no fault.
+    problem.classList.toggle("error", list.all.length > 0);
     table.blame(place);
     found = joined?.design ?? null;
     take.disabled = found === null;

@@ -2,7 +2,7 @@
 /** @type {Record<string, import("./index.js").Phrase>} */
 export const autoEn = {
   "auto.title": "Auto: say only what the machine must do",
-  "auto.about": "Draw or type dwells, straight stretches and points to pass; they are joined by the smoothest law that may stand there. The follower starts on the base circle at 0°.",
+  "auto.about": "Draw or type dwells, straight lines and points to pass; the smoothest law joins them. The follower starts on the base circle at 0°.",
   "auto.kind.of": "Requirement {number}",
   "auto.kind.dwell": "Dwell",
   "auto.kind.line": "Straight line",

@@ -2,7 +2,7 @@
 /** @type {Record<string, import("./index.js").Phrase>} */
 export const autoEs = {
   "auto.title": "Automático: diga solo lo que debe hacer la máquina",
-  "auto.about": "Dibuje o escriba detenimientos, tramos rectos y puntos por los que pasar; se unen con la ley más suave que pueda ir en cada hueco. El seguidor empieza sobre la circunferencia base en 0°.",
+  "auto.about": "Dibuje o escriba detenimientos, rectas y puntos por los que pasar; los une la ley más suave. El seguidor empieza sobre la circunferencia base en 0°.",
   "auto.kind.of": "Requisito {number}",
   "auto.kind.dwell": "Detenimiento",
   "auto.kind.line": "Recta",

@@ -31,6 +31,9 @@ const TICK: f64 = 0.35;
 /// Half the height of a label that must stay within the drawing, in heights of the type.
 const HALF_LABEL: f64 = 0.5;
 
+/// One turn, degrees.
+const TURN: i32 = 360;
+
 /// Opacity of what lies beyond a limit.
 const FORBIDDEN: f64 = 0.07;
 
@@ -56,6 +59,11 @@ pub(crate) fn draw(sketch: &mut Sketch, diagram: &Diagram, frame: &Frame, style:
     let grid = style.grid.to_rgba();
     for &border in &diagram.borders {
         vertical(sketch, frame, frame.x(border), grid);
+    }
+    if diagram.ruled {
+        for angle in angles(frame).filter(|&angle| 0 < angle && angle < TURN) {
+            vertical(sketch, frame, frame.x(f64::from(angle)), grid);
+        }
     }
     for value in ticks.values().filter(|&value| value != 0.0) {
         horizontal(sketch, frame, value, grid, Dash::Full);
@@ -126,14 +134,18 @@ pub(crate) fn label_values(sketch: &mut Sketch, frame: &Frame, style: &Style, ti
     }
 }
 
+/// Degrees that are labelled.
+fn angles(frame: &Frame) -> impl Iterator<Item = i32> {
+    let gap = f64::from(TURN) * frame.em * X_GAP / f64::from(frame.right - frame.left);
+    (0..=TURN).step_by(angle_step(gap) as usize)
+}
+
 fn label_angles(sketch: &mut Sketch, frame: &Frame, style: &Style) {
-    let turn = 360;
-    let gap = f64::from(turn) * frame.em * X_GAP / f64::from(frame.right - frame.left);
     let muted = style.muted.to_rgba();
     let numerals = Numerals { decimal_comma: style.decimal_comma };
-    for angle in (0..=turn).step_by(angle_step(gap) as usize) {
+    for angle in angles(frame) {
         let mut text = numerals.fixed(f64::from(angle), 0);
-        if angle == turn {
+        if angle == TURN {
             text.push('°');
         }
         label_place(sketch, frame, muted, f64::from(angle), text);

@@ -17,9 +17,6 @@ const BEYOND: f64 = 1.12;
 /// How much is shown beyond the ends of a face, as a part of its length.
 const BEYOND_FACE: f64 = 0.08;
 
-/// Degrees between the lines of a sheet to draw on.
-const RULED: usize = 30;
-
 /// A quantity over one turn, ready to be drawn at any size. θ in degrees, values in the units of the design.
 #[derive(Clone, Debug)]
 pub struct Diagram {
@@ -32,6 +29,8 @@ pub struct Diagram {
     pub(crate) travel: Option<f64>,
     /// Borders of the segments.
     pub(crate) borders: Vec<f64>,
+    /// There is a line at every label of θ, as on paper to draw on.
+    pub(crate) ruled: bool,
     /// Values that should not be passed.
     pub(crate) limits: Vec<f64>,
     /// Ranges of values beyond the limits.
@@ -124,10 +123,10 @@ impl Diagram {
     /// cam when there is one and no notes in the way.
     #[must_use]
     pub fn sheet(curve: Option<(&Cam, &Analysis)>, low: f64, high: f64) -> Self {
-        let mut diagram = curve.map_or_else(Self::blank, |(cam, analysis)| {
-            Self::whole(Quantity::S, cam, analysis, Timing::PerRadian)
-        });
-        diagram.borders = (RULED..360).step_by(RULED).map(|border| border as f64).collect();
+        let mut diagram = curve
+            .map_or_else(Self::blank, |(cam, analysis)| Self::whole(Quantity::S, cam, analysis, Timing::PerRadian));
+        diagram.borders.clear();
+        diagram.ruled = true;
         diagram.extremes.clear();
         // What is cut off bends like a height, not like a radius.
         diagram.radius = None;
@@ -145,6 +144,7 @@ impl Diagram {
             jumps: Vec::new(),
             travel: None,
             borders: Vec::new(),
+            ruled: false,
             limits: Vec::new(),
             forbidden: Vec::new(),
             targets: Vec::new(),

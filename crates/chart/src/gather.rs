@@ -27,6 +27,7 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, shown: 
         jumps: Vec::new(),
         travel: (!cam.program.is_cyclic()).then(|| cam.program.span()),
         borders: cam.program.borders().iter().map(|&border| place(cam, border)).collect(),
+        ruled: false,
         limits: Vec::new(),
         forbidden: Vec::new(),
         extremes: Vec::new(),

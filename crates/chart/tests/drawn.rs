@@ -310,3 +310,29 @@ fn any_backend_draws_the_same_and_is_told_the_dashes() {
         assert!(text.contains(&format!(">\n{label}\n<")), "{label}");
     }
 }
+
+#[test]
+fn a_sheet_shows_exactly_its_heights_with_and_without_a_curve() {
+    let style = Style { width: 600.0, height: 200.0, curve: colour(CURVE).expect("a colour"), ..Style::default() };
+    let (empty, area) = svg(&Diagram::sheet(None, -0.5, 26.0), &style);
+    assert_eq!((area.x_min, area.x_max, area.y_min, area.y_max), (0.0, 360.0, -0.5, 26.0));
+    assert!(curve(&empty).is_empty());
+    let lines = |text: &str| text.matches("<line").count() + text.matches("<polyline").count();
+    assert!(lines(&empty) > 12, "it is ruled at every label");
+
+    let segments = [("cycloidal", 180.0, 20.0), ("cycloidal", 180.0, -20.0)];
+    let segments = segments.map(|(law, beta, rise)| levalab_core::Segment::of(law, beta, rise).expect("a segment"));
+    let kind = levalab_core::FollowerKind::by_id("translating-roller").expect("a roller");
+    let follower =
+        levalab_core::Follower::new(kind, 40.0, [10.0, 0.0, 0.0, 0.0], levalab_core::Rotation::CounterClockwise);
+    let cam = Cam::new(levalab_core::Program::new(&segments).expect("a program"), follower.expect("a follower"));
+    let analysis = Analysis::of(&cam, 360);
+    for high in [26.0, 15.0] {
+        let (text, area) = svg(&Diagram::sheet(Some((&cam, &analysis)), 0.0, high), &style);
+        assert_eq!(area.y_max, high);
+        let top = area.top * UNITS;
+        let highest = curve(&text).into_iter().map(|(_, y)| y).fold(f64::INFINITY, f64::min);
+        let expected = (area.top + area.height * (1.0 - 20.0_f64.min(high) / high)) * UNITS;
+        assert!((highest - expected.max(top)).abs() <= UNITS, "{highest} is not {expected}");
+    }
+}

@@ -73,7 +73,8 @@ pub fn draw_sheet(
             let low = heights.iter().copied().fold(0.0, f64::min);
             let high = heights.iter().copied().fold(low, f64::max);
             // A curve that swings high above what is asked for is shown too.
-            let high = (high + ABOVE * (high - low)).max(curve.as_ref().map_or(high, |&(_, top, _)| top * (1.0 + BELOW)));
+            let high =
+                (high + ABOVE * (high - low)).max(curve.as_ref().map_or(high, |&(_, top, _)| top * (1.0 + BELOW)));
             let high = if high > low { high } else { low + 1.0 };
             (low - BELOW * (high - low), high)
         }
