@@ -10,7 +10,7 @@ const SHEET = `
 #auto .auto-tools label:nth-of-type(3) > span::before { background: radial-gradient(circle closest-side, currentcolor 95%, transparent) center / 8px 100% no-repeat; }
 #auto .auto-history { display: flex; }
 #auto .auto-history button { display: grid; place-items: center; min-inline-size: var(--row); padding: 0; }
-#auto .auto-said { flex: 1 1 13rem; min-block-size: 1.4em; color: var(--muted); font-variant-numeric: tabular-nums; }
+#auto .auto-said { flex: 1 1 13rem; min-block-size: 1.4em; margin: 0; color: var(--muted); font-variant-numeric: tabular-nums; }
 #auto .auto-said.telling { color: var(--ink); }
 #auto .auto-plot { position: relative; margin-block-start: var(--space-2); }
 #auto canvas { display: block; inline-size: 100%; block-size: clamp(11rem, 34dvh, 24rem); }
@@ -22,7 +22,7 @@ const SHEET = `
 #auto .auto-layer button[hidden], #auto .auto-tangent[hidden] { display: none; }
 #auto .auto-layer button::before { content: ""; position: absolute; border: 2px solid var(--tint); background: var(--paper); }
 #auto .auto-whole { --long: calc(hypot(var(--dx), var(--dy)) * 1px); inline-size: var(--long); block-size: 24px; margin: -12px calc(max(24px, var(--long)) / -2); rotate: atan2(var(--dy), var(--dx)); cursor: grab; }
-#auto .auto-layer .auto-whole::before { inset: 9px 0; border: 0; border-radius: 3px; background: var(--tint); }
+#auto .auto-layer .auto-whole::before { inset: 9px calc((100% - var(--long)) / 2); border: 0; border-radius: 3px; background: var(--tint); }
 #auto [data-kind="point"] .auto-whole { inline-size: 24px; rotate: none; }
 #auto .auto-layer [data-kind="point"] .auto-whole::before { inset: 5px; border: 2px solid var(--paper); border-radius: 50%; background: var(--tint); box-shadow: 0 0 0 2px var(--tint); }
 #auto :is(.auto-from, .auto-to) { inline-size: 24px; block-size: 24px; }
@@ -37,8 +37,8 @@ const SHEET = `
 #auto .auto-tangent { position: absolute; inset: 0 auto auto 0; inline-size: var(--long); block-size: 2px; margin: -1px calc(var(--long) / -2); background: var(--accent); translate: var(--x) var(--y); rotate: atan2(var(--dy), var(--dx)); pointer-events: none; }
 #auto .auto-problem { min-block-size: 1.3em; margin-block: var(--space-1); }
 #auto .auto-problem.error { color: var(--bad); }
-#auto .auto-halves { display: grid; grid-template-columns: minmax(0, 31rem) minmax(0, 1fr); gap: var(--space-2) var(--space-5); align-items: start; }
-#auto .auto-row { display: grid; grid-template-columns: 1.4rem minmax(7rem, 1fr) repeat(4, minmax(3rem, 4.5rem)) 28px; align-items: center; gap: 2px var(--space-1); padding: 2px var(--space-1); border-radius: var(--radius); }
+#auto .auto-halves { display: grid; grid-template-columns: minmax(0, 32rem) minmax(0, 1fr); gap: var(--space-2) var(--space-4); align-items: start; }
+#auto .auto-row { display: grid; grid-template-columns: 1.2rem minmax(8.2rem, 1fr) repeat(4, minmax(3rem, 4.2rem)) 28px; align-items: center; gap: 2px var(--space-1); padding: 2px var(--space-1); border-radius: var(--radius); }
 #auto .auto-row.lit { background: var(--hover); }
 #auto .auto-row.lit select { background-color: var(--paper); }
 #auto .auto-head { color: var(--muted); font-size: var(--size-small); text-align: end; }
@@ -56,6 +56,7 @@ const SHEET = `
 @media (max-width: 900px) { #auto .auto-halves { grid-template-columns: minmax(0, 1fr); } }
 @media (max-width: 480px) {
   #auto { inline-size: 100vw; max-block-size: 100dvh; margin-block-start: 0; border-block-start: 0; padding-inline: var(--space-3); border-inline: 0; border-radius: 0; }
+  #auto .auto-said { display: grid; align-content: center; block-size: 2.9em; line-height: 1.4; }
   #auto .auto-row { grid-template-columns: 0.7rem 7.4rem repeat(4, minmax(2.2rem, 1fr)) 24px; padding-inline: 0; }
   #auto .auto-row :is(input, select) { padding-inline: 2px; font-size: var(--size-small); }
   #auto .auto-row select { padding-inline-end: 14px; }

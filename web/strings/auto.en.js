@@ -2,7 +2,7 @@
 /** @type {Record<string, import("./index.js").Phrase>} */
 export const autoEn = {
   "auto.title": "Auto: say only what the machine must do",
-  "auto.about": "Draw or type dwells, straight lines and points to pass; the smoothest law joins them. The follower starts on the base circle at 0°.",
+  "auto.about": "Draw or type dwells, straight lines and points; the smoothest law joins them. The follower starts on the base circle at 0°.",
   "auto.kind.of": "Requirement {number}",
   "auto.kind.dwell": "Dwell",
   "auto.kind.line": "Straight line",
@@ -24,8 +24,8 @@ export const autoEn = {
   "auto.problem": "Requirement {number}: {message}",
   "auto.picture": "Displacement s over the turn",
   "auto.tool": "What to draw",
-  "auto.hint.dwell": "Drag across the diagram to draw a dwell; click for a point.",
-  "auto.hint.line": "Drag from where the straight line begins to where it ends; click for a point.",
+  "auto.hint.dwell": "Drag to draw a dwell; click for a point.",
+  "auto.hint.line": "Drag from one end of the line to the other; click for a point.",
   "auto.hint.point": "Click where the follower has to pass.",
   "auto.drawing": "Requirements on the diagram: arrow keys move them, Delete removes one",
   "auto.table": "Requirements as numbers",

@@ -2,7 +2,7 @@
 /** @type {Record<string, import("./index.js").Phrase>} */
 export const autoEs = {
   "auto.title": "Automático: diga solo lo que debe hacer la máquina",
-  "auto.about": "Dibuje o escriba detenimientos, rectas y puntos por los que pasar; los une la ley más suave. El seguidor empieza sobre la circunferencia base en 0°.",
+  "auto.about": "Dibuje o escriba detenimientos, rectas y puntos; los une la ley más suave. El seguidor empieza sobre la circunferencia base en 0°.",
   "auto.kind.of": "Requisito {number}",
   "auto.kind.dwell": "Detenimiento",
   "auto.kind.line": "Recta",
@@ -24,8 +24,8 @@ export const autoEs = {
   "auto.problem": "Requisito {number}: {message}",
   "auto.picture": "Desplazamiento s a lo largo de la vuelta",
   "auto.tool": "Qué dibujar",
-  "auto.hint.dwell": "Arrastre sobre el diagrama para dibujar un detenimiento; haga clic para un punto.",
-  "auto.hint.line": "Arrastre desde donde empieza la recta hasta donde acaba; haga clic para un punto.",
+  "auto.hint.dwell": "Arrastre para dibujar un detenimiento; clic para un punto.",
+  "auto.hint.line": "Arrastre de un extremo al otro de la recta; clic para un punto.",
   "auto.hint.point": "Haga clic donde deba pasar el seguidor.",
   "auto.drawing": "Requisitos sobre el diagrama: las flechas los mueven, Supr quita uno",
   "auto.table": "Requisitos en números",
