@@ -21,7 +21,7 @@ pub enum Generator {
 }
 
 impl Generator {
-    /// The segments of half a turn for a follower that travels so far.
+    /// The segments of half a turn for a follower that travels so far: L = dc − 2Rb. The other half is s(θ + π) = L − s(θ).
     #[must_use]
     pub fn half_turn(self, travel: f64) -> Vec<Segment> {
         match self {
@@ -39,7 +39,7 @@ impl Generator {
         }
     }
 
-    /// The program for a follower that travels so far.
+    /// The program of a whole turn for a follower that travels so far.
     ///
     /// # Errors
     /// When the travel is not finite, or the sides are not an odd number between 3 and [`MAX_SIDES`].

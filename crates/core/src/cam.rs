@@ -43,7 +43,7 @@ impl Cam {
         Self { closure, ..self }
     }
 
-    /// Motion and contact at θ (any turn).
+    /// Motion and contact at θ, radians of any turn, or a place along the travel; on a joint, the limits from the right.
     #[must_use]
     pub fn at(&self, theta: f64) -> (Svaj, Contact) {
         let motion = self.program.at(theta);
@@ -88,14 +88,15 @@ impl Cam {
         }
     }
 
-    /// Where the far side of the yoke touches, in the fixed frame, when the cam is held by one.
+    /// Where the far side of the yoke touches at θ, in the fixed frame: opposite to where the near side does half a turn later. None for
+    /// a cam that no yoke holds.
     #[must_use]
     pub fn far_contact(&self, theta: f64) -> Option<Point> {
         (self.closure == Closure::Yoke).then(|| -self.at(theta + PI).1.point)
     }
 
     /// The distance between the parallel faces of the yoke, or between the near sides of its rollers: 2Rb + s(θ) + s(θ + π),
-    /// which its program keeps constant.
+    /// which its program keeps constant; a length. None for a cam that no yoke holds.
     #[must_use]
     pub fn breadth(&self) -> Option<f64> {
         let facing = self.program.at(0.0).s + self.program.at(PI).s;

@@ -44,7 +44,8 @@ pub fn shortest_travel(cam: &Cam) -> Option<f64> {
     (cam.follower.drive == Drive::Travels).then(|| smallest_size(cam)).flatten()
 }
 
-/// The same cam with another base radius, or with another travel and all β's in proportion.
+/// The same cam with another base radius, or with another travel and all β's in proportion. None when the follower cannot rest on that
+/// base circle, and for a travel with laws that are made from data, which were measured on the travel as it is.
 #[must_use]
 pub fn resized(cam: &Cam, size: f64) -> Option<Cam> {
     if cam.follower.drive == Drive::Turns {
@@ -110,7 +111,8 @@ fn boundary(cam: &Cam, shortfall: impl Fn(f64, usize) -> f64) -> Option<f64> {
     Some(solved * (1.0 + INSIDE))
 }
 
-/// The eccentricity for which the greatest φ of the rise equals that of the return, when the follower has one.
+/// The eccentricity for which the greatest φ of the rise equals that of the return, φmax + φmin = 0: a length, positive to the right of
+/// the cam's centre. None for a follower without one, and when no eccentricity within nine tenths of Rp balances them.
 #[must_use]
 pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
     let index = cam.follower.kind.index_of("eccentricity")?;

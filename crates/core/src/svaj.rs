@@ -25,7 +25,7 @@ impl Svaj {
         Self { s, v, a, j }
     }
 
-    /// The same curve when the independent variable is stretched by `beta`: θ = β·x, so d/dθ = (1/β)·d/dx.
+    /// The same curve when the independent variable is stretched by `beta`: θ = β·x, so d/dθ = (1/β)·d/dx, and the derivative of order n is divided by βⁿ.
     #[must_use]
     pub fn stretched(self, beta: f64) -> Self {
         let k = 1.0 / beta;

@@ -127,7 +127,7 @@ impl Application {
 }
 
 impl Output {
-    /// Its value for a motion at ω.
+    /// Its value for a motion at ω, rad/s, in the [magnitude](Self::magnitude) that it has; V = ω·ds/dθ. The sign is that of *s* or V.
     #[must_use]
     pub fn of(&self, values: &ApplicationValues, motion: Svaj, omega: f64) -> f64 {
         match self.law {
@@ -136,7 +136,8 @@ impl Output {
         }
     }
 
-    /// Its least and greatest value, which lie where those of *s* or V lie: value and place of each.
+    /// Its least and greatest value, which lie where those of *s* or V lie, since no output falls as its argument rises: value and θ of
+    /// each.
     #[must_use]
     pub fn extremes(&self, values: &ApplicationValues, summary: &Summary, omega: f64) -> [(f64, f64); 2] {
         let (found, of, rate) = match self.law {
@@ -146,7 +147,8 @@ impl Output {
         [(found.min, found.min_at), (found.max, found.max_at)].map(|(value, at)| (of(values, value * rate), at))
     }
 
-    /// What its rises come to over one cycle (of a cam that travels: forth and back), for an output that works by strokes.
+    /// What its rises come to over one cycle (of a cam that travels: forth and back), for an output that works by strokes: Σ (y₂ − y₁)
+    /// over every rise of y, from turning point to turning point. None for one that does not.
     #[must_use]
     pub fn per_cycle(&self, values: &ApplicationValues, cam: &Cam) -> Option<f64> {
         let OutputLaw::OfDisplacement(of) = self.law else { return None };

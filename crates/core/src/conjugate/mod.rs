@@ -32,7 +32,7 @@ impl Tie {
         }
     }
 
-    /// Its value.
+    /// Its value: a length, or radians.
     #[must_use]
     pub fn value(self) -> f64 {
         let (Self::Distance(value) | Self::Angle(value) | Self::BaseRadius(value)) = self;
@@ -89,6 +89,9 @@ pub fn conjugate(cam: &Cam, tie: Tie, radius: Option<f64>) -> Result<Cam, Geomet
 
 /// The tie of that kind with which the second base circle is as large as the first; none when it leaves no room, or is of the
 /// wrong kind for the follower.
+///
+/// Translating, D = 2Rb + smax·cos γ for a face and D = 2s₀ + smax for a disc; oscillating, Γ = ξ₀ + smax + ξ₂, with ξ₂ the opening of
+/// the second element on a base circle of radius Rb.
 #[must_use]
 pub fn balanced_tie(cam: &Cam, kind: Tie) -> Option<Tie> {
     let follower = &cam.follower;
@@ -108,7 +111,7 @@ pub fn balanced_tie(cam: &Cam, kind: Tie) -> Option<Tie> {
     (value > min && value < max).then(|| kind.with(value))
 }
 
-/// The angle between the arms, or the faces, of a pair that swings; radians.
+/// Γ: the angle between the arms, or the faces, of a pair that swings, radians in [0, 2π); none for a pair that translates.
 #[must_use]
 pub fn angle_between(first: &Cam, second: &Cam) -> Option<f64> {
     let Body::Swing { pivot } = first.follower.body else { return None };

@@ -28,9 +28,10 @@ const STRIDE: f64 = 1.25;
 /// Parts by which the ends of a range are set inside, so that rounding does not put them outside.
 const INSIDE: f64 = 1e-9;
 
-/// The ties of that kind with which the second cam keeps every geometric limit, least and greatest; the greatest distance is
-/// infinite. None when no tie does.
+/// The ties of that kind with which the second cam keeps every geometric limit, least and greatest, lengths or radians; the greatest
+/// distance is infinite. None when no tie does. `radius` is that of the second disc, that of the first when none is given.
 ///
+/// Ties are tried evenly over the room that there is, and the ends of those that pass are then halved down to.
 /// When the ties that pass are not all side by side, the longest run of them is given.
 #[must_use]
 pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f64)> {
@@ -40,7 +41,7 @@ pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f
 }
 
 /// The tie of that kind with which the second cam passes its geometric limits by least: the nearest there is to a pair where none
-/// is possible. None when the kind of tie leaves no room at all.
+/// is possible. None when the kind of tie leaves no room at all. `radius` as for [`working_ties`].
 #[must_use]
 pub fn nearest_tie(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<Tie> {
     let (low, high) = Across::of(cam, radius).bounds(kind)?;

@@ -33,7 +33,16 @@ pub struct Contact {
 }
 
 impl Follower {
-    /// The contact when the follower's motion is `motion`.
+    /// The contact when the follower's motion is `motion`, its derivatives with respect to θ.
+    ///
+    /// * A disc about F rolls or slides on the offset of the pitch curve P = F·e^(−iσθ): ρp = −σ·|P′|³/(P′ × P″), ρ = ρp − Rf.
+    ///   Translating, tan φ = (v − σe)/(s₀ + s) with s₀ = √(Rp² − e²); and with e = 0 and h = Rp + s,
+    ///   ρp = (h² + v²)^(3/2)/(h² + 2v² − h·a).
+    /// * A face touches the envelope of its line: ρ = p + d²p/dα², p its distance from the cam's centre and α the angle of its normal
+    ///   in the cam. Translating with γ = 0, ρ = Rb + s + a, the contact lies at σ·v from the axis, and φ = 0.
+    ///
+    /// They are the formulas of Norton, *Cam Design and Manufacturing Handbook*, ch. 7, in one form for every follower and both senses of
+    /// rotation. Nothing gives way or has clearance.
     #[must_use]
     #[inline]
     pub fn contact(&self, motion: Svaj) -> Contact {
@@ -44,7 +53,8 @@ impl Follower {
         }
     }
 
-    /// ρ of the profile from [`Contact::bend`]; convex positive.
+    /// ρ of the profile from [`Contact::bend`], a length, convex positive: 1/κp − Rf for a disc, `bend` itself for a face. Infinite where
+    /// the pitch curve is straight.
     #[must_use]
     #[inline]
     pub fn profile_radius(&self, bend: f64) -> f64 {

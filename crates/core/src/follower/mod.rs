@@ -111,10 +111,11 @@ pub struct Follower {
 }
 
 impl Follower {
-    /// Places a follower on its base circle.
+    /// Places a follower at s = 0 on its base circle of radius Rb; angles of its parameters in radians.
     ///
     /// # Errors
-    /// Names the magnitude that makes the geometry impossible.
+    /// Names the magnitude that makes the geometry impossible: one that is not finite, a size that is not positive, or lengths that do not
+    /// go together ([`Misfit`](crate::Misfit)).
     pub fn new(
         kind: &'static FollowerKind,
         base_radius: f64,
@@ -198,6 +199,8 @@ impl Follower {
     /// ξ₀, radians: the angle at the pivot between the line of centres and the arm (or the flat face) at s = 0, negative where a face lies
     /// beyond that line; none for a follower that translates. Of a second element it is the angle while the first rests, at its own
     /// greatest *s*.
+    ///
+    /// cos ξ₀ = (m² + A² − Rp²)/(2mA) for an arm, sin ξ₀ = (Rb − f)/m for a face.
     #[must_use]
     pub fn opening(&self) -> Option<f64> {
         let Body::Swing { pivot } = self.body else { return None };
@@ -209,7 +212,8 @@ impl Follower {
         Some(-self.advance() * (along / -pivot).arg())
     }
 
-    /// The pressure angle that good practice allows, radians: 30° translating, 35° oscillating.
+    /// The |φ| that good practice allows, radians: 30° translating, 35° oscillating (Norton, *Cam Design and Manufacturing Handbook*,
+    /// ch. 7).
     #[must_use]
     pub fn pressure_angle_limit(&self) -> f64 {
         match self.kind.motion {

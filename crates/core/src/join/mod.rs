@@ -158,7 +158,10 @@ pub enum JoinProblem {
     NoWay,
 }
 
-/// Joins demands, in any order, into a program of a whole turn.
+/// Joins demands, in any order, into a program of a whole turn that begins on the base circle.
+///
+/// In each gap every law is tried that keeps *v* and *a* continuous (and *j*, for high speeds) and stays on or above the base circle; the one
+/// with the lowest peak of the derivative that the taste names is taken, and [`Choice`] tells what was tried.
 ///
 /// # Errors
 /// Says which demand cannot be met, and why.

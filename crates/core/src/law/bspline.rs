@@ -71,7 +71,8 @@ fn pieces(given: &Given) -> Result<Solved, DataProblem> {
     Ok(Solved { pieces: pieces.collect(), condition })
 }
 
-/// The inner knots that a spline takes when none are told, as places along the segment; none where it takes no spline at all.
+/// The inner knots that a spline takes when none are told, as places along the segment, in the unit of β: each the mean of as many
+/// neighbouring conditions as the degree (de Boor's averages). None where there are too few conditions for a spline.
 #[must_use]
 pub fn usual_knots(conditions: &[Condition], degree: usize, beta: f64) -> Vec<f64> {
     let mut sites: Vec<Condition> = conditions.to_vec();

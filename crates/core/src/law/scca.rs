@@ -7,7 +7,10 @@ use super::{ArgumentProblem, Arguments, Group, Law, Piece, Shape};
 use crate::{Curve, Parameter, Quantity};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The family with its two free fractions.
+/// The family with its two free fractions, b of the sine and c of the constant; d = 1 − b − c is the cosine's.
+///
+/// y″ = Cₐ·sin(πx/b) up to b/2, Cₐ up to (b + c)/2, Cₐ·cos(π(x − (b + c)/2)/d) up to 1 − (b + c)/2, and then the beginning backwards with its
+/// sign changed; Cₐ = 4π²/((π² − 8)(b² − d²) − 2π(π − 2)b + π²).
 pub const LAW: Law = Law {
     id: "scca",
     group: Group::Standard,
@@ -98,4 +101,23 @@ fn same_formula(one: &Curve, other: &Curve) -> bool {
         let (p, q) = (one.at(x), other.at(x));
         (0..4).all(|order| (p.order(order) - q.order(order)).abs() <= SAME_FORMULA * (1.0 + p.order(3).abs()) * 50.0)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_peak_of_acceleration_is_the_factor_of_the_handbook_in_closed_form() {
+        for (b, c) in
+            [(0.0, 0.0), (0.5, 0.0), (0.25, 0.0), (0.25, 0.5), (0.25, 0.25), (0.1, 0.7), (0.0, 1.0), (0.6, 0.1)]
+        {
+            let d = 1.0 - b - c;
+            let factor = 4.0 * PI * PI / ((PI * PI - 8.0) * (b * b - d * d) - 2.0 * PI * (PI - 2.0) * b + PI * PI);
+            let pieces = sine_constant_cosine(b, c);
+            let piece = pieces.iter().find(|piece| 0.5 * b < piece.until).expect("a piece");
+            let peak = piece.at(0.5 * b).a;
+            assert!((peak - factor).abs() < 1e-10 * factor, "b = {b}, c = {c}: {peak}, not {factor}");
+        }
+    }
 }
