@@ -1,5 +1,6 @@
 //! The units that a design may be in.
 
+use levalab_core::application::Magnitude;
 use std::f64::consts::TAU;
 
 /// The unit of length of a design: a label, since the formulas are the same in any.
@@ -82,5 +83,24 @@ impl SpeedUnit {
             Self::RadiansPerSecond | Self::LengthPerSecond => value,
             Self::RevolutionsPerSecond => value * TAU,
         }
+    }
+}
+
+impl LengthUnit {
+    /// The unit of a magnitude beside lengths in this unit: newtons, or pounds-force beside inches.
+    #[must_use]
+    pub fn unit_of(self, magnitude: Magnitude) -> &'static str {
+        let of_each: [&'static str; 4] = match magnitude {
+            Magnitude::Length => return self.symbol(),
+            Magnitude::Angle => return "°",
+            Magnitude::Area => ["mm²", "cm²", "m²", "in²"],
+            Magnitude::Volume => ["mm³", "cm³", "m³", "in³"],
+            Magnitude::Flow => ["mm³/s", "cm³/s", "m³/s", "in³/s"],
+            Magnitude::Force => ["N", "N", "N", "lbf"],
+            Magnitude::Stiffness => ["N/mm", "N/cm", "N/m", "lbf/in"],
+            Magnitude::Pressure => ["MPa", "N/cm²", "Pa", "psi"],
+            Magnitude::PressurePerVolume => ["MPa/mm³", "N/cm⁵", "Pa/m³", "psi/in³"],
+        };
+        of_each[self as usize]
     }
 }
