@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asked, drawn, moved, placed, suggested, turnedInto } from "./auto/demands.js";
+import { asked, drawn, moved, placed, suggested, turned, turnedInto } from "./auto/demands.js";
 import { createList } from "./auto/list.js";
 import { round, stepped, steps, valueAt } from "./hand.js";
 import { atValue } from "./stage/overlay.js";
@@ -33,6 +33,13 @@ test("a part is brought to a round place, and stays within the turn, above the b
   assert.deepEqual(moved(LINE, "to", { theta: 142, s: 7.3 }, BY), { to: 140, end: 7.5 });
   assert.deepEqual(moved(LINE, "whole", { theta: 60, s: 1 }, BY), { from: 60, to: 120, s: 6, end: 0 });
   assert.deepEqual(moved({ kind: "point", from: 90, to: 90, s: 1, end: 1 }, "whole", { theta: 371, s: 2 }, BY), { from: 360, s: 2 });
+});
+
+test("a tangent is turned to a round velocity, the finer the further it is pulled, and never upright", () => {
+  /** @type {Placed} */
+  const point = { kind: "point", from: 90, to: 90, s: 10, end: 10 };
+  const away = (/** @type {number} */ radians, /** @type {number} */ up) => turned(point, { theta: 90 + (radians * 180) / Math.PI, s: 10 + up }, BY);
+  assert.deepEqual([away(0.5, 4.2), away(-0.5, 4.2), away(2, 8.6), away(0.01, 3)], [{ v: 8 }, { v: -8 }, { v: 4.5 }, {}]);
 });
 
 test("what is drawn from right to left is the same as from left to right", () => {

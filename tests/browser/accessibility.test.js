@@ -92,6 +92,15 @@ test("axe finds nothing in the table of conditions and in Auto, and no target is
     await page.getByRole("button", { name: say("segments.auto"), exact: true }).click();
     await page.locator("#auto li").first().waitFor();
     found.push(...(await violations(page, "auto")), ...(await small(page, "#auto :is(button, select, input[type=text])")));
+    // Every kind of requirement on the diagram, and none.
+    for (const kind of ["line", "point"]) {
+      await page.locator(`#auto [name="auto-tool"][value="${kind}"]`).check({ force: true });
+      await page.getByRole("button", { name: say("auto.add"), exact: true }).click();
+    }
+    await page.locator("#auto [data-kind=point] .auto-whole").focus();
+    found.push(...(await violations(page, "auto, drawn")), ...(await small(page, "#auto :is(button, select, input[type=text])")));
+    await page.getByRole("button", { name: say("auto.none"), exact: true }).click();
+    found.push(...(await violations(page, "auto, empty")));
   }
   assert.deepEqual(found, []);
 });

@@ -80,7 +80,7 @@ test("a program is drawn by hand alone, from an empty diagram to what is taken",
   const click = await onBoard(page, 120, 12, 20);
   await page.mouse.click(click.x, click.y);
   await becomes(() => typed(page), ["0 60 0", "180 240 20", "120 12 "]);
-  assert.equal(await handle(page, nameOf("point", 3)).getAttribute("aria-valuetext"), en("auto.spot", { theta: "120°", s: "12\u00a0mm" }));
+  assert.equal(await handle(page, nameOf("point", 3)).getAttribute("aria-valuetext"), `${en("auto.spot", { theta: "120°", s: "12\u00a0mm" })}, ${en("auto.free")}`);
   await becomes(() => dialog(page).getByRole("button", { name: en("auto.take") }).isEnabled(), true);
   await dialog(page).getByRole("button", { name: en("auto.take") }).click();
   await becomes(() => fragment(page), /D60.*D60/);
@@ -116,6 +116,45 @@ test("a requirement is moved and removed by keys, and each change can be taken b
   await page.keyboard.press("Control+y");
   await becomes(() => typed(page), ["164 205 2.5 7.6"]);
   assert.equal(await fragment(page), start, "what is behind the window is not taken back");
+});
+
+test("the tangent of a point is turned to a velocity, which is free again when it is removed", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  await openEmpty(page);
+  const click = await onBoard(page, 180, 10, 10);
+  await page.mouse.click(click.x, click.y);
+  await becomes(() => typed(page), ["180 10 "]);
+  await frames(page, 4);
+  const name = en("auto.handle.slope", { name: nameOf("point", 1) });
+  // Half a radian to the right, and 4 mm higher.
+  await drag(page, await middle(page, name), await onBoard(page, 180 + 90 / Math.PI, 14 - 1e-6, 10));
+  await eventually(() => typed(page), ([row]) => assert.match(row, /^180 10 (7|8|9)(\.\d)?$/));
+  await handle(page, name).press("Shift+ArrowDown");
+  await eventually(() => typed(page), ([row]) => assert.match(row, /^180 10 −(1|2|3)(\.\d)?$/));
+  await handle(page, name).press("Delete");
+  await becomes(() => typed(page), ["180 10 "]);
+});
+
+test("a finger draws and moves on a phone, and nothing scrolls away under it", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await openEmpty(page);
+  const devtools = await page.context().newCDPSession(page);
+  /** @param {{ x: number, y: number }} from @param {{ x: number, y: number }} to */
+  async function stroke(from, to) {
+    await devtools.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [from] });
+    for (let part = 1; part <= 5; part++) {
+      await devtools.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: [{ x: from.x + ((to.x - from.x) * part) / 5, y: from.y + ((to.y - from.y) * part) / 5 }] });
+    }
+    await devtools.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  }
+  await stroke(await onBoard(page, 90, 10, 10), await onBoard(page, 150, 8, 10));
+  await becomes(() => typed(page), ["90 150 10"]);
+  await frames(page, 4);
+  const scrolled = await dialog(page).evaluate((element) => element.scrollTop);
+  const bar = await middle(page, nameOf("dwell", 1));
+  await stroke(bar, { x: bar.x, y: (await onBoard(page, 120, 5, 10)).y });
+  await becomes(() => typed(page), ["90 150 5"]);
+  assert.equal(await dialog(page).evaluate((element) => element.scrollTop), scrolled);
 });
 
 test("what is held is let go as it was with Escape, and the window stays", async (t) => {

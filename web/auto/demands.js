@@ -1,6 +1,6 @@
 /** What the machine must do, as it is typed and as numbers: dwells, straight lines and points. */
 import { clean } from "../clean.js";
-import { stepped } from "../hand.js";
+import { round, stepped } from "../hand.js";
 import { parseNumber } from "../numbers.js";
 
 /** The fields of each kind of requirement, by the columns of the table. */
@@ -13,6 +13,8 @@ export const KINDS = /** @type {const} */ ({ dwell: ["from", "to", "s"], line: [
 /** @typedef {"whole" | "from" | "to"} Part  of a requirement that is moved */
 
 export const TURN = 360;
+/** A velocity is per radian. */
+export const RADIAN = 180 / Math.PI;
 /** What a new requirement is wide when nothing else is told, degrees. */
 const WIDE = 30;
 
@@ -77,6 +79,19 @@ export function moved(place, part, to, steps) {
   const s = Math.max(height, -high, 0);
   if (place.kind === "point") return { from, s };
   return { from, to: clean(from + wide), s, ...(straight ? { end: clean(s + high) } : {}) };
+}
+
+/**
+ * The velocity of a point whose tangent is turned to a place: the further away, the finer. Nothing where the tangent would stand upright.
+ * @param {Placed} place
+ * @param {{ theta: number, s: number }} to
+ * @param {{ theta: number, s: number }} steps
+ * @returns {Values}
+ */
+export function turned(place, to, steps) {
+  const across = (to.theta - place.from) / RADIAN;
+  if (Math.abs(across) < steps.theta / RADIAN) return {};
+  return { v: stepped((to.s - place.s) / across, round(steps.s / Math.abs(across))) };
 }
 
 /**

@@ -3,15 +3,16 @@
  *
  * @import { ShellContext } from "../types.d.ts"
  * @import { Demand, Field, Kind, Part, Placed, Values } from "./demands.js"
- * @import { Handles } from "./handles.js"
+ * @import { Grip, Handles } from "./handles.js"
  * @import { List } from "./list.js"
  */
 import { h } from "../dom.js";
+import { stepped } from "../hand.js";
 import { heightStep } from "../number-field.js";
 import { lift } from "../program.js";
 import { factor } from "../scrub.js";
 import { createBoard } from "./board.js";
-import { drawn, moved, placed } from "./demands.js";
+import { drawn, moved, placed, turned } from "./demands.js";
 import { createHand, snapped } from "./hand.js";
 import { createHandles } from "./handles.js";
 import { createTelling } from "./telling.js";
@@ -92,6 +93,7 @@ export function createDrawing(context, list, tool, tell) {
       whole: { name, now: place.from, text: telling.stand(place) },
       from: { name: t("auto.handle.from", { name }), now: place.from, text: telling.spot({ theta: place.from, s: place.s }) },
       to: { name: t("auto.handle.to", { name }), now: place.to, text: telling.spot({ theta: place.to, s: place.end }) },
+      slope: { name: t("auto.handle.slope", { name }), now: place.v ?? 0, text: telling.velocity(place) },
     });
   }
 
@@ -132,6 +134,7 @@ export function createDrawing(context, list, tool, tell) {
         const place = standing(k);
         if (!place) return;
         hold(k);
+        if (part === "slope") return hand.take(event, () => ({ move: ({ at, by, gesture }) => put(k, turned(place, at, by), gesture) }));
         const start = reference(place, part);
         hand.take(event, ({ at: from }) => ({
           move({ at, by, gesture }) {
@@ -143,18 +146,25 @@ export function createDrawing(context, list, tool, tell) {
     });
   }
 
-  /** @param {number} k @param {Part} part @param {KeyboardEvent} event */
+  /** @param {number} k @param {Grip} part @param {KeyboardEvent} event */
   function press(k, part, event) {
     const place = standing(k);
     if (!place || event.ctrlKey || event.metaKey) return;
     if (event.key === "Delete" || event.key === "Backspace") {
       event.preventDefault();
-      return remove(k);
+      if (part !== "slope") return remove(k);
+      // A velocity that is removed is free.
+      list.edit((draft) => void delete draft[k]?.v);
+      return hold(k);
     }
     const [right = 0, up = 0] = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key] ?? [];
     if (right === 0 && up === 0) return;
     event.preventDefault();
     event.stopPropagation();
+    if (part === "slope") {
+      const step = heightStep(store.state.design);
+      return put(k, { v: stepped((place.v ?? 0) + (right + up) * step * factor(event), step * FINEST) }, `key:${k}.${part}`);
+    }
     // The end of a dwell has only one way to go.
     const along = place.kind === "dwell" && part !== "whole" ? right + up : right;
     const step = { theta: 1, s: heightStep(store.state.design) };
@@ -190,7 +200,6 @@ export function createDrawing(context, list, tool, tell) {
   layer.addEventListener("pointermove", (event) => {
     const row = board.row();
     if (hand.busy() || !row || event.target !== layer || event.pointerType === "touch") return;
-    list.light(-1);
     tell(telling.spot(snapped(hand.reach(event, row))));
   });
   layer.addEventListener("pointerleave", () => {
@@ -205,6 +214,10 @@ export function createDrawing(context, list, tool, tell) {
       layer.setAttribute("aria-label", t("auto.drawing"));
       board.word();
       lay();
+    },
+    /** @param {string | undefined} place  of the requirement that cannot be met */
+    blame(place) {
+      handles.forEach(({ element }, k) => element.classList.toggle("wrong", place === String(k)));
     },
     /** Gives back what is held, as it was; false when nothing is. */
     letGo() {

@@ -1,23 +1,26 @@
 /**
- * A requirement on the diagram: a bar with two ends, or a dot, each moved by pointer or keys.
+ * A requirement on the diagram: a bar with two ends, or a dot with a tangent that can be turned, each moved by pointer or keys.
  *
  * @import { Row } from "../stage/overlay.js"
  * @import { Part, Placed } from "./demands.js"
  */
 import { h } from "../dom.js";
 import { atTheta, atValue } from "../stage/overlay.js";
+import { RADIAN, TURN } from "./demands.js";
 
-/** Half the tangent of a point with a velocity, pixels. */
-const TANGENT = 26;
+/** Half the tangent of a point, pixels. */
+const TANGENT = 32;
 
-const RADIAN = 180 / Math.PI;
+/** Beyond any velocity. */
+const FASTEST = 1e6;
 
+/** @typedef {Part | "slope"} Grip  what a hand can take hold of */
 /** @typedef {ReturnType<typeof createHandles>} Handles */
 
 /**
  * @param {object} acts
- * @param {(part: Part, event: PointerEvent) => void} acts.grab
- * @param {(part: Part, event: KeyboardEvent) => void} acts.key
+ * @param {(part: Grip, event: PointerEvent) => void} acts.grab
+ * @param {(part: Grip, event: KeyboardEvent) => void} acts.key
  * @param {() => void} acts.light
  * @param {() => void} acts.rest   the hand has left it
  */
@@ -25,10 +28,15 @@ export function createHandles({ grab, key, light, rest }) {
   const whole = handle("whole");
   const from = handle("from");
   const to = handle("to");
+  const slope = handle("slope");
+  for (const [button, least, most] of /** @type {const} */ ([[whole, 0, TURN], [from, 0, TURN], [to, 0, TURN], [slope, -FASTEST, FASTEST]])) {
+    button.setAttribute("aria-valuemin", String(least));
+    button.setAttribute("aria-valuemax", String(most));
+  }
   const tangent = h("span", { class: "auto-tangent", "aria-hidden": "true" });
-  const element = h("div", { class: "auto-demand", role: "group" }, tangent, whole, from, to);
+  const element = h("div", { class: "auto-demand", role: "group" }, tangent, whole, from, to, slope);
 
-  /** @param {Part} part */
+  /** @param {Grip} part */
   function handle(part) {
     const button = h("button", { type: "button", class: `auto-${part}`, role: "slider" });
     button.addEventListener("pointerdown", (event) => {
@@ -71,24 +79,27 @@ export function createHandles({ grab, key, light, rest }) {
       span(whole, right.x - left.x, right.y - left.y);
       put(from, left.x, left.y);
       put(to, right.x, right.y);
-      tangent.hidden = v === undefined;
-      if (v === undefined) return;
-      // A velocity is per radian; the line is as long whatever its slope.
-      const across = atTheta(row, start + 1) - left.x;
+      [tangent.hidden, slope.hidden] = [kind !== "point", kind !== "point"];
+      if (kind !== "point") return;
+      // It is as long whatever the velocity, and lies level where that is free.
+      const [dx, dy] = [atTheta(row, start + 1) - left.x, atValue(row, s + (v ?? 0) / RADIAN) - left.y];
+      const scale = TANGENT / Math.hypot(dx, dy);
+      element.toggleAttribute("data-free", v === undefined);
       put(tangent, left.x, left.y);
-      span(tangent, across, atValue(row, s + v / RADIAN) - left.y);
+      span(tangent, scale * dx, scale * dy);
       tangent.style.setProperty("--long", `${2 * TANGENT}px`);
+      put(slope, left.x + scale * dx, left.y + scale * dy);
     },
 
     /**
      * What a reader of the screen is told.
      * @param {string} name
-     * @param {Record<Part, { name: string, now: number, text: string }>} parts
+     * @param {Record<Grip, { name: string, now: number, text: string }>} parts
      */
     say(name, parts) {
       element.setAttribute("aria-label", name);
-      for (const [part, button] of Object.entries({ whole, from, to })) {
-        const { name, now, text } = parts[/** @type {Part} */ (part)];
+      for (const [part, button] of Object.entries({ whole, from, to, slope })) {
+        const { name, now, text } = parts[/** @type {Grip} */ (part)];
         for (const [key, value] of [["aria-label", name], ["aria-valuenow", String(now)], ["aria-valuetext", text]]) {
           if (button.getAttribute(key ?? "") !== value) button.setAttribute(key ?? "", value ?? "");
         }

@@ -17,6 +17,7 @@ const SHEET = `
 #auto .auto-layer { position: absolute; inset: var(--top, 0) auto auto var(--left, 0); inline-size: var(--width, 0); block-size: var(--height, 0); cursor: crosshair; outline-offset: 2px; touch-action: none; }
 #auto .held .auto-layer { cursor: grabbing; }
 #auto .auto-demand { display: contents; --tint: var(--accent); }
+#auto .auto-demand.wrong { --tint: var(--bad); }
 #auto .auto-demand[hidden] { display: none; }
 #auto .auto-layer button { position: absolute; inset: 0 auto auto 0; min-inline-size: 24px; min-block-size: 24px; padding: 0; border: 0; border-radius: 12px; background: none; touch-action: none; translate: var(--x) var(--y); }
 #auto .auto-layer button[hidden], #auto .auto-tangent[hidden] { display: none; }
@@ -25,7 +26,11 @@ const SHEET = `
 #auto .auto-layer .auto-whole::before { inset: 9px calc((100% - var(--long)) / 2); border: 0; border-radius: 3px; background: var(--tint); }
 #auto [data-kind="point"] .auto-whole { inline-size: 24px; rotate: none; }
 #auto .auto-layer [data-kind="point"] .auto-whole::before { inset: 5px; border: 2px solid var(--paper); border-radius: 50%; background: var(--tint); box-shadow: 0 0 0 2px var(--tint); }
-#auto :is(.auto-from, .auto-to) { inline-size: 24px; block-size: 24px; }
+#auto :is(.auto-from, .auto-to, .auto-slope) { inline-size: 24px; block-size: 24px; }
+#auto .auto-slope { margin: -12px; cursor: move; }
+#auto .auto-layer .auto-slope::before { inset: 7px; border-radius: 50%; }
+#auto .auto-demand:not(.lit) > .auto-slope, #auto [data-free]:not(.lit) > .auto-tangent { visibility: hidden; }
+#auto [data-free] > .auto-tangent { background: repeating-linear-gradient(90deg, var(--tint) 0 3px, transparent 3px 6px); }
 #auto .auto-from { margin: -12px -18px; }
 #auto .auto-to { margin: -12px -6px; }
 #auto [data-kind="dwell"] :is(.auto-from, .auto-to) { cursor: ew-resize; }
@@ -34,7 +39,7 @@ const SHEET = `
 #auto .auto-layer .auto-to::before { inset-inline-start: 0; }
 #auto .lit > :is(.auto-from, .auto-to)::before { background: var(--tint); }
 #auto .auto-layer button:focus-visible { outline: 2px solid var(--focus); outline-offset: -1px; }
-#auto .auto-tangent { position: absolute; inset: 0 auto auto 0; inline-size: var(--long); block-size: 2px; margin: -1px calc(var(--long) / -2); background: var(--accent); translate: var(--x) var(--y); rotate: atan2(var(--dy), var(--dx)); pointer-events: none; }
+#auto .auto-tangent { position: absolute; inset: 0 auto auto 0; inline-size: var(--long); block-size: 2px; margin: -1px calc(var(--long) / -2); background: var(--tint); translate: var(--x) var(--y); rotate: atan2(var(--dy), var(--dx)); pointer-events: none; }
 #auto .auto-problem { min-block-size: 1.3em; margin-block: var(--space-1); }
 #auto .auto-problem.error { color: var(--bad); }
 #auto .auto-halves { display: grid; grid-template-columns: minmax(0, 32rem) minmax(0, 1fr); gap: var(--space-2) var(--space-4); align-items: start; }

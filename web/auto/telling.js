@@ -19,14 +19,18 @@ export function createTelling({ store, t, format }) {
   const spot = ({ theta, s }) => t("auto.spot", { theta: angle(theta), s: height(s) });
 
   /** @param {Placed} place */
-  function stand({ kind, from, to, s, end }) {
-    if (kind === "point") return spot({ theta: from, s });
+  function stand({ kind, from, to, s, end, v }) {
+    if (kind === "point") return `${spot({ theta: from, s })}, ${velocity({ kind, from, to, s, end, v })}`;
     const ends = { from: angle(from), to: angle(to), s: height(s) };
     return kind === "dwell" ? t("auto.told.dwell", ends) : t("auto.told.line", { ...ends, end: height(end) });
   }
 
+  /** @param {Placed} place */
+  const velocity = ({ v }) => (v === undefined ? t("auto.free") : t("auto.velocity", { v: format.number(v, { unit: store.state.report.units.v }) }));
+
   return {
     spot,
+    velocity,
     stand,
     /** @param {Placed} place */
     whole: (place) => `${t(`auto.kind.${place.kind}`)}: ${stand(place)}`,

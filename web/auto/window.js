@@ -166,6 +166,7 @@ export function createWindow(context) {
     // Nothing asked for is no fault.
     problem.classList.toggle("error", list.all.length > 0);
     table.blame(place);
+    drawing.blame(place);
     found = joined?.design ?? null;
     take.disabled = found === null;
     const choices = joined?.choices ?? [];

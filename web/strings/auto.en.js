@@ -32,6 +32,8 @@ export const autoEn = {
   "auto.handle": "Requirement {number}, {kind}",
   "auto.handle.from": "{name}: where it begins",
   "auto.handle.to": "{name}: where it ends",
+  "auto.handle.slope": "{name}: slope",
+  "auto.velocity": "v {v}",
   "auto.spot": "θ {theta}, s {s}",
   "auto.told.dwell": "θ {from} to {to}, s {s}",
   "auto.told.line": "θ {from} to {to}, s {s} to {end}",

@@ -2,7 +2,7 @@
 /** @type {Record<string, import("./index.js").Phrase>} */
 export const autoEs = {
   "auto.title": "Automático: diga solo lo que debe hacer la máquina",
-  "auto.about": "Dibuje o escriba detenimientos, rectas y puntos; los une la ley más suave. El seguidor empieza sobre la circunferencia base en 0°.",
+  "auto.about": "Dibuje o escriba detenimientos, rectas y puntos; los une la ley más suave. En 0° el seguidor está en la circunferencia base.",
   "auto.kind.of": "Requisito {number}",
   "auto.kind.dwell": "Detenimiento",
   "auto.kind.line": "Recta",
@@ -32,6 +32,8 @@ export const autoEs = {
   "auto.handle": "Requisito {number}, {kind}",
   "auto.handle.from": "{name}: donde empieza",
   "auto.handle.to": "{name}: donde acaba",
+  "auto.handle.slope": "{name}: pendiente",
+  "auto.velocity": "v {v}",
   "auto.spot": "θ {theta}, s {s}",
   "auto.told.dwell": "θ de {from} a {to}, s {s}",
   "auto.told.line": "θ de {from} a {to}, s de {s} a {end}",

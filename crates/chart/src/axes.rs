@@ -16,9 +16,6 @@ const Y_GAP: f64 = 1.7;
 /// Least distance of labels of θ, in heights of the type.
 const X_GAP: f64 = 2.6;
 
-/// Between a label and the plot, in heights of the type.
-const LABEL_GAP: f64 = 0.4;
-
 /// From the plot to the middle of the labels of θ, in heights of the type.
 const X_LABEL_DROP: f64 = 1.2;
 
@@ -105,12 +102,12 @@ fn horizontal(sketch: &mut Sketch, frame: &Frame, value: f64, colour: RGBAColor,
 /// Labels the ticks of the y axis. The power of ten goes into the plot where it covers nothing, or else above the labels.
 pub(crate) fn label_values(sketch: &mut Sketch, frame: &Frame, style: &Style, ticks: Ticks, space: &mut Space) {
     let numerals = Numerals { decimal_comma: style.decimal_comma };
-    let (x, muted) = (frame.left - frame.ems(LABEL_GAP), style.muted.to_rgba());
+    let (x, muted) = (frame.left - frame.ems(frame.label_gap), style.muted.to_rgba());
     let mut highest = frame.ems(HALF_LABEL);
     if ticks.exponent != 0 {
         let text = power_of_ten(ticks.exponent);
         let (width, height) = space.size(&text);
-        let inset = frame.ems(LABEL_GAP);
+        let inset = frame.ems(frame.label_gap);
         let corners = [(HPos::Left, frame.left + inset), (HPos::Right, frame.right - inset)];
         let room = |(anchor, x): (HPos, i32)| {
             let left = if matches!(anchor, HPos::Left) { x } else { x - width };

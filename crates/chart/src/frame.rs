@@ -26,6 +26,10 @@ const TALL: f64 = 12.0;
 /// The most of the height that is given up for room around the curve.
 const MOST_ROOM: f64 = 0.5;
 
+/// Between the labels of values and the plot, in heights of the type; further off where handles stand on the edge of the plot.
+const LABEL_GAP: f64 = 0.4;
+const HANDLE_GAP: f64 = 0.8;
+
 /// One turn.
 const TURN: f64 = 360.0;
 
@@ -68,6 +72,8 @@ pub(crate) struct Frame {
     pub em: f64,
     /// θ at the right edge: 360°, or the length of a travel.
     pub whole: f64,
+    /// Between the labels of values and the plot, in heights of the type.
+    pub label_gap: f64,
     low: f64,
     high: f64,
     /// Thin lines lie on multiples of this.
@@ -99,6 +105,7 @@ impl Frame {
             pixel: ratio * units,
             em: em * ratio * units,
             whole: diagram.travel.unwrap_or(TURN),
+            label_gap: if diagram.ruled { HANDLE_GAP } else { LABEL_GAP },
             low,
             high,
             weight: style.weight(),
