@@ -59,7 +59,6 @@ export function mount(root, context) {
   /** True once the user has chosen what to see: then only a wholly other mechanism moves the view. */
   let chosen = false;
   let gliding = false;
-  let drawing = false;
   let kind = "";
   /** @type {{ x: number, y: number } | null} */
   let pointer = null;
@@ -103,7 +102,7 @@ export function mount(root, context) {
 
   onAppearance(() => {
     pen.palette = readPalette();
-    schedule();
+    store.touch("window");
   });
 
   addEventListener("beforeprint", () => {
@@ -119,7 +118,7 @@ export function mount(root, context) {
     rebuild();
     draw();
   });
-  store.subscribe(["cursor", "layers", "highlight", "beside"], (_, changed) => {
+  store.subscribe(["cursor", "layers", "highlight", "beside", "window"], (_, changed) => {
     if ((changed.has("layers") || changed.has("beside")) && scene && !chosen) look(false);
     if (!changed.has("report")) draw();
   });
@@ -203,13 +202,14 @@ export function mount(root, context) {
   function glide() {
     if (goal && !approach(pen.view, goal, GLIDE)) requestAnimationFrame(glide);
     else gliding = false;
-    draw();
+    // Drawn with whatever else has changed, and only once a frame.
+    store.touch("window");
   }
 
   function fit() {
     chosen = false;
     look(false);
-    schedule();
+    store.touch("window");
   }
 
   /** @param {View} view  as the user wants it, at once */
@@ -217,21 +217,12 @@ export function mount(root, context) {
     chosen = true;
     goal = view;
     Object.assign(pen.view, view);
-    schedule();
+    store.touch("window");
   }
 
   /** @param {number} factor */
   function zoomMiddle(factor) {
     if (goal) settle(zoomed(pen.view, factor, width / 2, height / 2, fitted().scale * FARTHEST, fitted().scale * NEAREST));
-  }
-
-  function schedule() {
-    if (drawing) return;
-    drawing = true;
-    requestAnimationFrame(() => {
-      drawing = false;
-      draw();
-    });
   }
 
   function tellPointer() {

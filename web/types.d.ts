@@ -429,14 +429,19 @@ export interface Beside {
   dash: number[];
 }
 
+/** What can change and be waited for: a part of the state, or the window on the mechanism, which that keeps to itself. */
+export type Change = keyof State | "window";
+
 export type ViewState = Omit<State, "design" | "report" | "error" | "stale">;
 
 export interface Store {
   readonly state: Readonly<State>;
   /** Calls `fn` once a frame when any of `keys` has changed. Returns the way out. */
-  subscribe(keys: (keyof State)[], fn: (state: Readonly<State>, changed: ReadonlySet<string>) => void): () => void;
+  subscribe(keys: Change[], fn: (state: Readonly<State>, changed: ReadonlySet<string>) => void): () => void;
   /** Changes what is seen, not what is designed: no undo. */
   set(patch: Partial<ViewState>): void;
+  /** Tells the listeners of `key` at the next frame, though nothing that is kept here has changed. */
+  touch(key: Change): void;
   /** Changes the design: analyses, remembers for undo (one entry a gesture), schedules a frame. */
   edit(label: string, fn: (draft: Design) => void, options?: { gesture?: string }): void;
   /** Takes back a gesture that is under way, as if it had never begun. */
@@ -497,8 +502,6 @@ export interface Keeper {
   start(design: Design): boolean;
   /** The same design again: after a change of language, or on a fresh engine. */
   reanalyse(): void;
-  /** Tells the listeners of `key` though its value is the same. */
-  touch(key: keyof State): void;
   /** The design that `state.report` is about. */
   lastGood(): Design;
   /** Another number for each design that was opened; undo goes back to the one before. */
