@@ -1,4 +1,5 @@
-/* Before the first paint: theme and language as they were left, so that nothing flashes. A classic script on purpose. */
+/* Before the first paint: theme and language as they were left, so that nothing flashes. A classic script on purpose. Where the page is packed it also
+   asks for the words of that language, which its module would find out about later. */
 {
   const view = () => {
     try {
@@ -7,9 +8,12 @@
       return {};
     }
   };
-  const { theme, language = navigator.language } = view();
+  const { theme, language = navigator.languages.find((tag) => /^(en|es)\b/i.test(tag)) } = view();
   const dark = theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
   document.documentElement.dataset.theme = dark ? "dark" : "light";
   // Pages of theory have a language of their own.
-  if (!("page" in document.documentElement.dataset)) document.documentElement.lang = /^es\b/i.test(String(language)) ? "es" : "en";
+  const spoken = /^es\b/i.test(String(language)) ? "es" : "en";
+  if (!("page" in document.documentElement.dataset)) document.documentElement.lang = spoken;
+  const { words } = document.currentScript.dataset;
+  if (words) document.head.append(Object.assign(document.createElement("link"), { rel: "modulepreload", href: `${words}.${spoken}.js` }));
 }

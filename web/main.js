@@ -33,12 +33,11 @@ let started = false;
 store.set(appearance.rememberedView(store.state));
 appearance.follow(store);
 
-try {
-  await start();
-} catch (error) {
+// Not waited for: what it imports on the way may import from this module when they are packed into one file.
+start().catch((error) => {
   console.error(error);
   banner.show("banner.engine", { reason: error instanceof Error ? error.message : String(error) });
-}
+});
 
 async function start() {
   const [engine] = await Promise.all([startEngine({ language, restarted, completed }), learn(language())]);

@@ -1,12 +1,13 @@
 // Joins and minifies the page's modules and styles:
-// `node bundle.js '{"out": …, "single": …, "modules": […], "scripts": […], "styles": […], "sheets": […]}'`.
-// Prints which of the files written the modules need at once. Into the folder `single` goes `main.js` whole, for the single-file page.
+// `node bundle.js '{"out": …, "single": …, "main": …, "named": […], "scripts": […], "styles": […], "sheets": […]}'`.
+// Into the folder `single` goes `main.js` whole, for the single-file page.
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { build } from "esbuild";
+import { gather } from "./gather.js";
 
-/** @type {{ out: string, single: string, modules: string[], scripts: string[], styles: { file: string, media: string }[], sheets: string[] }} */
-const { out, single, modules, scripts, styles, sheets } = JSON.parse(process.argv[2]);
+/** `named` are modules that keep their names, to be asked for early. @type {{ out: string, single: string, main: string, named: string[], scripts: string[], styles: { file: string, media: string }[], sheets: string[] }} */
+const { out, single, main, named, scripts, styles, sheets } = JSON.parse(process.argv[2]);
 const web = path.resolve("web");
 
 /**
@@ -24,7 +25,7 @@ const ownAddress = {
   },
 };
 
-/** @type {import("esbuild").BuildOptions} */
+/** @satisfies {import("esbuild").BuildOptions} */
 const common = {
   outdir: out,
   minify: true,
@@ -35,17 +36,19 @@ const common = {
   logLevel: "warning",
 };
 
-const built = await build({
+const split = await build({
   ...common,
-  entryPoints: modules,
+  entryPoints: [main, ...named],
   entryNames: "[name]",
   chunkNames: "part-[hash]",
   bundle: true,
   splitting: true,
   format: "esm",
   metafile: true,
+  write: false,
   plugins: [ownAddress],
 });
+await gather(split, main, common);
 // The page imports the glue of either module by its address, so that it can import it afresh: each stays a file of its own.
 await build({ ...common, entryPoints: ["web/pkg/levalab_wasm.js", "web/pkg/levalab_export_wasm.js"], outdir: path.join(out, "pkg") });
 // A script in the head runs before anything is drawn and shares no names with the modules.
@@ -74,17 +77,3 @@ const inOneFile = {
   },
 };
 await build({ ...common, outdir: single, entryPoints: { main: "web/single.js" }, bundle: true, format: "esm", plugins: [inOneFile], define: { "import.meta.url": "document.baseURI" } });
-
-/** The parts that the modules import at once, and those that these import. @type {Set<string>} */
-const parts = new Set();
-const { outputs } = built.metafile;
-/** @param {string} file */
-function follow(file) {
-  for (const needed of outputs[file].imports) {
-    if (needed.kind !== "import-statement" || parts.has(needed.path)) continue;
-    parts.add(needed.path);
-    follow(needed.path);
-  }
-}
-for (const [file, { entryPoint }] of Object.entries(outputs)) if (entryPoint && modules.includes(entryPoint)) follow(file);
-console.log(JSON.stringify([...parts].map((part) => path.relative(out, part))));

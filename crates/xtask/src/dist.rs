@@ -5,7 +5,6 @@
 use std::{
     fs,
     path::{Path, PathBuf},
-    process::Stdio,
 };
 
 use anyhow::{Context, Result, bail, ensure};
@@ -15,7 +14,7 @@ use walkdir::WalkDir;
 use crate::{
     html::{self, Kind, Load},
     offline,
-    page::Page,
+    page::{self, Page},
     process::{self, told},
     project, setup, single,
     size::{Size, kilobytes},
@@ -68,13 +67,13 @@ fn write() -> Result<Packed> {
     let html = fs::read_to_string(project::path("index.html")).context("index.html")?;
     let loads = html::loads(&html);
     let whole = project::target()?.join("single");
-    let parts = bundle(&fresh, &whole, &loads)?;
+    bundle(&fresh, &whole, &loads)?;
     copy_others(&fresh)?;
     let hash = content_hash(&fresh)?;
     let folder = dist.join(&hash);
     fs::rename(&fresh, &folder)?;
     theory::publish(&folder, &dist, &hash)?;
-    let page = Page::new(&hash, &loads, &parts);
+    let page = Page::new(&hash, &loads);
     fs::write(dist.join("index.html"), html::packed_as(&page.rewrite(&html), "site"))?;
     let names = names(&dist)?;
     offline::write_worker(&dist, &hash, &content_hash(&dist)?, &names)?;
@@ -90,10 +89,9 @@ fn write() -> Result<Packed> {
     Ok(Packed { folder, first: page.first() })
 }
 
-/// Joins and minifies scripts and styles; gives the files that the page needs at once beside those it names.
-fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<Vec<String>> {
-    let of_kind =
-        |kind: &Kind| loads.iter().filter(|load| load.kind == *kind).map(|load| load.file.as_str()).collect::<Vec<_>>();
+/// Joins and minifies scripts and styles.
+fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<()> {
+    let of_kind = |kind: Kind| loads.iter().filter(move |load| load.kind == kind).map(|load| load.file.as_str());
     let styles = loads.iter().filter_map(|load| match &load.kind {
         Kind::Style(media) => Some(json!({ "file": load.file, "media": media })),
         _ => None,
@@ -101,15 +99,13 @@ fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<Vec<String>> {
     let order = json!({
         "out": out,
         "single": single,
-        "modules": of_kind(&Kind::Module),
-        "scripts": of_kind(&Kind::Script),
+        "main": of_kind(Kind::Module).next().context("index.html names no module")?,
+        "named": page::WORDS,
+        "scripts": of_kind(Kind::Script).collect::<Vec<_>>(),
         "styles": styles.collect::<Vec<_>>(),
         "sheets": theory::SHEETS,
     });
-    let mut bundler = process::node(["crates/xtask/src/bundle.js", &order.to_string()]);
-    let output = bundler.stderr(Stdio::inherit()).output().context("node did not start")?;
-    ensure!(output.status.success(), "joining the scripts failed");
-    serde_json::from_slice(&output.stdout).context("bundle.js printed no JSON")
+    process::run(&mut process::node(["crates/xtask/src/bundle.js", &order.to_string()]))
 }
 
 /// The module's parts, icons and the like keep the place they have under `web/`.

@@ -10,17 +10,22 @@ use crate::{
 /// The module's JavaScript, relative to the packed folder.
 const GLUE: &str = "pkg/levalab_wasm.js";
 
+/// The words that every visit needs: a module a language, of which a visit loads one.
+pub const WORDS: [&str; 2] = ["web/strings/page.en.js", "web/strings/page.es.js"];
+
+/// Their names without the language.
+const ANY_WORDS: &str = "page";
+
 /// The packed page.
 pub struct Page<'a> {
     folder: &'a str,
     loads: &'a [Load],
-    parts: &'a [String],
 }
 
 impl<'a> Page<'a> {
-    /// `folder` beside it holds everything else; `parts` are the scripts that its modules import at once.
-    pub fn new(folder: &'a str, loads: &'a [Load], parts: &'a [String]) -> Page<'a> {
-        Page { folder, loads, parts }
+    /// `folder` beside it holds everything else.
+    pub fn new(folder: &'a str, loads: &'a [Load]) -> Page<'a> {
+        Page { folder, loads }
     }
 
     /// `index.html` with the addresses of the packed files.
@@ -32,7 +37,10 @@ impl<'a> Page<'a> {
                 styled = true;
                 format!("<link rel=\"stylesheet\" href=\"{}\">", self.packed("style.css"))
             }
-            Kind::Script => format!("<script src=\"{}\"></script>", self.script(load)),
+            // It is the first to know the language, so it asks for the words.
+            Kind::Script => {
+                format!("<script src=\"{}\" data-words=\"{}\"></script>", self.script(load), self.packed(ANY_WORDS))
+            }
             Kind::Module => self.module(load),
             Kind::Hint => String::new(),
             Kind::Page => load.tag.replace("web/", ""),
@@ -48,25 +56,21 @@ impl<'a> Page<'a> {
             Kind::Other => Some(self.other(load)),
             Kind::Style(_) | Kind::Hint | Kind::Page => None,
         }));
-        first.extend(self.early());
-        first.push(self.module_file());
+        first.extend([self.packed(GLUE), self.packed(&format!("{ANY_WORDS}.es.js")), self.module_file()]);
         first
     }
 
-    /// The script, and hints to fetch all it needs at the same time, not one after the other.
+    /// The script, and hints to fetch what it needs at the same time, not one after the other.
     fn module(&self, load: &Load) -> String {
-        let wasm = self.module_file();
-        let mut tags =
-            vec![format!("<link rel=\"preload\" href=\"{wasm}\" as=\"fetch\" type=\"application/wasm\" crossorigin>")];
-        tags.extend(self.early().map(|part| format!("<link rel=\"modulepreload\" href=\"{part}\">")));
-        tags.push(format!("<script type=\"module\" src=\"{}\"></script>", self.script(load)));
-        tags.join("\n    ")
-    }
-
-    /// Scripts that `index.html` does not name but its modules need at once.
-    fn early(&self) -> impl Iterator<Item = String> {
-        let parts = self.parts.iter().map(String::as_str);
-        parts.chain([GLUE]).map(|part| self.packed(part))
+        [
+            format!(
+                "<link rel=\"preload\" href=\"{}\" as=\"fetch\" type=\"application/wasm\" crossorigin>",
+                self.module_file()
+            ),
+            format!("<link rel=\"modulepreload\" href=\"{}\">", self.packed(GLUE)),
+            format!("<script type=\"module\" src=\"{}\"></script>", self.script(load)),
+        ]
+        .join("\n    ")
     }
 
     /// The part of the module that the first picture needs.
