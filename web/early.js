@@ -14,6 +14,6 @@
   // Pages of theory have a language of their own.
   const spoken = /^es\b/i.test(String(language)) ? "es" : "en";
   if (!("page" in document.documentElement.dataset)) document.documentElement.lang = spoken;
-  const { words } = document.currentScript.dataset;
+  const { words } = document.currentScript?.dataset ?? {};
   if (words) document.head.append(Object.assign(document.createElement("link"), { rel: "modulepreload", href: `${words}.${spoken}.js` }));
 }

@@ -32,6 +32,18 @@ test("what the first picture needs of the module arrives once, asked for before 
   assert(script && modules[0].startTime < script.startTime + 50, "the hint in index.html was not used");
 });
 
+for (const [locale, language] of [["en-GB", "en"], ["es-ES", "es"]]) {
+  test(`the first picture takes four scripts, the words of one language among them (${locale})`, async (t) => {
+    const { page } = await openPage(t, { locale });
+    const scripts = await page.evaluate(() => {
+      const [{ startTime: drawn }] = performance.getEntriesByName("levalab:drawn");
+      const loads = performance.getEntriesByType("resource").filter(({ name, startTime }) => name.endsWith(".js") && startTime < drawn);
+      return loads.map(({ name }) => name.split("/").at(-1)).sort();
+    });
+    assert.deepEqual(scripts, ["early.js", "levalab_wasm.js", "main.js", `page.${language}.js`]);
+  });
+}
+
 /** The rest of the module waits until it is let through. @param {Page} page */
 async function withhold(page) {
   /** @type {() => void} */
