@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::{
-    BreadthGenerator, CamKind, FIRST_EXAMPLE, LengthUnit, SpeedUnit, data_entry, limits, misfit, motion_and_contact,
+    BreadthGenerator, CamKind, FIRST_EXAMPLE, LengthUnit, SpeedUnit, data_entry, limits, motion_and_contact, unsuited,
 };
 
 /// Everything a form can offer.
@@ -124,7 +124,7 @@ impl Polygon {
 
 impl KindEntry {
     fn of(id: &'static str) -> Self {
-        let suited = FOLLOWERS.iter().filter(|follower| misfit(id, follower).is_none());
+        let suited = FOLLOWERS.iter().filter(|follower| unsuited(id, follower).is_none());
         Self { id, followers: suited.map(|follower| follower.id).collect() }
     }
 }

@@ -119,7 +119,7 @@ impl BreadthGenerator {
 
 /// What in a follower has no place on a cam of that kind: its motion or its contact.
 #[must_use]
-pub fn misfit(kind: &str, follower: &FollowerKind) -> Option<&'static str> {
+pub fn unsuited(kind: &str, follower: &FollowerKind) -> Option<&'static str> {
     let slides = follower.motion == Motion::Translating;
     let contact = follower.contact;
     let [_, grooved, breadth, travels] = CamKind::WORDS.map(|word| word == kind);
@@ -189,7 +189,7 @@ impl Design {
 
     fn check_suited(&self) -> Result<(), DesignError> {
         let kind = self.kind.word();
-        if let Some(key) = misfit(kind, self.follower) {
+        if let Some(key) = unsuited(kind, self.follower) {
             return Err(DesignError::at(["follower", key], CamRefusal::Unsuited { kind }));
         }
         if matches!(self.kind, CamKind::Rotating | CamKind::Grooved) {

@@ -60,7 +60,7 @@ pub use data::{data_key, entry as data_entry};
 pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
 pub use error::{CamRefusal, DataRefusal, DesignError, Kind, Problem, ProgramRefusal};
 pub use examples::{EXAMPLES, FIRST_EXAMPLE, example};
-pub use kind::{BreadthGenerator, CamKind, misfit};
+pub use kind::{BreadthGenerator, CamKind, unsuited};
 pub use marks::{Mark, MarkKind, marks};
 pub use measure::Measure;
 pub use notation::Notation;
