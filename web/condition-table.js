@@ -18,6 +18,9 @@ import { createTextField } from "./text-field.js";
 
 const ORDERS = ["s", "v", "a", "j"];
 
+/** Characters that a cell has room for. */
+const CELL = 6;
+
 /** Limits at a border as the engine gives them: s, v, a, j before it, and after it. */
 const BEFORE = 0;
 const AFTER = 4;
@@ -108,6 +111,7 @@ export function createConditionTable(context, { id, index }, law) {
       step: () => 1,
       path: () => `segments[${index()}].conditions[${conditionsOf(store.state.design).findIndex((condition) => condition.at === row.at)}].at`,
       highlight,
+      room: CELL,
     });
     const cells = ORDERS.map((sign, order) =>
       createNumberField(context, {
@@ -120,6 +124,7 @@ export function createConditionTable(context, { id, index }, law) {
         step: (design) => (order > 0 ? ownStep(conditionsOf(design)[find(design, row.at, order)]?.value ?? 0) : design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
         path: () => `segments[${index()}].conditions[${find(store.state.design, row.at, order)}].value`,
         highlight,
+        room: CELL,
       }),
     );
     const inherit = h("button", { type: "button", class: "inherit" });

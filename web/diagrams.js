@@ -2,20 +2,20 @@
  * The diagrams: s, v, a, j on one axis, φ and ρ on their own, with the cursor that they share.
  *
  * @import { Diagram, ShellContext, State, Tab } from "./types.d.ts"
- * @import { Plot } from "./stage/plots.js"
  * @import { Row } from "./stage/overlay.js"
  */
 import { h, write } from "./dom.js";
 import { atRest } from "./rest.js";
 import { choice } from "./stage/choice.js";
-import { cycleOf, decimalsOf, inside, played, stepped, stride } from "./stage/clock.js";
+import { cycleOf, decimalsOf } from "./stage/clock.js";
+import { moveCursor, placeUnder, wheelCursor } from "./stage/cursor-hand.js";
 import { figure } from "./stage/figure.js";
 import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
-import { atTheta, drawOverlay, thetaAt } from "./stage/overlay.js";
+import { FLAG, LABELS, atTheta, drawOverlay } from "./stage/overlay.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
 import { inSight, letterOf, placeText, seesSecond } from "./stage/place.js";
-import { PLOTS, TABS, rangeOf, styleOf, tabOf, unitOf } from "./stage/plots.js";
+import { PLOTS, TABS, styleOf, tabOf, unitOf } from "./stage/plots.js";
 import { vectorDrawings } from "./stage/print.js";
 import { plain } from "./signs.js";
 
@@ -24,8 +24,6 @@ const LEAST_RATIO = 2;
 const SHARPEST = 3;
 /** What the tabs are called on their buttons. @type {Readonly<Record<Tab, string>>} */
 const SHORT = { svaj: "SVAJ", pressure_angle: "φ", rho: "ρ", contact: "q" };
-/** Room for the labels of θ under the last diagram, in heights of the type. */
-const FOOT = 1.9;
 
 /**
  * @param {HTMLElement} root
@@ -62,7 +60,6 @@ export function mount(root, context) {
   let explanation = null;
   /** @type {Promise<ReturnType<typeof import("./diagram-marks.js").createMarks>> | null} */
   let marks = null;
-  let dragging = false;
   let drawing = false;
 
   new ResizeObserver(() => {
@@ -87,15 +84,10 @@ export function mount(root, context) {
     drawAll();
     caption();
   });
-  const tell = atRest(() => {
-    const { perSecond } = store.state;
-    const report = inSight(store.state);
+  const tell = atRest(async () => {
     void explain();
-    for (const { plot, canvas } of Object.values(figures)) {
-      const name = t(`diagram.name.${plot.diagram}`);
-      const letter = plain(perSecond ? plot.perSecond : plot.letter);
-      canvas.setAttribute("aria-label", alternative(plot, name.charAt(0).toLocaleUpperCase() + name.slice(1), letter, unitOf(plot, report, perSecond)));
-    }
+    const { diagramInWords } = await import("./stage/in-words.js");
+    for (const { plot, canvas } of Object.values(figures)) canvas.setAttribute("aria-label", diagramInWords(context, plot));
   });
 
   const moved = metered(drawCursor);
@@ -137,8 +129,8 @@ export function mount(root, context) {
     height = plots.clientHeight;
     ratio = Math.min(Math.max(devicePixelRatio, LEAST_RATIO), SHARPEST);
     const shown = TABS[tabOf(store.state)];
-    const foot = Math.round(palette.chartSize * FOOT);
-    const each = Math.floor((height - foot) / shown.length);
+    const foot = Math.round(palette.chartSize * LABELS);
+    const each = Math.floor((height - foot - Math.round(palette.chartSize * FLAG)) / shown.length);
     const { element, canvas } = figures[/** @type {Diagram} */ (shown[0])];
     // The caption stands above.
     const head = canvas.offsetTop - element.offsetTop;
@@ -227,67 +219,16 @@ export function mount(root, context) {
     explanation.update();
   }
 
-  /**
-   * The diagram in a sentence.
-   * @param {Plot} plot
-   * @param {string} name
-   * @param {string} letter
-   * @param {string} unit
-   */
-  function alternative(plot, name, letter, unit) {
-    const { perSecond } = store.state;
-    const report = inSight(store.state);
-    const range = rangeOf(plot, report, perSecond);
-    if (!range) return t("diagram.alternative.none", { name, letter });
-    // Where the profile turns hollow, ρ goes through infinity: what counts is where it is sharpest.
-    if (plot.diagram === "rho" && report.least_convex && (range.min === null || range.max === null)) {
-      const { value, at } = report.least_convex;
-      return t("diagram.alternative.rho", { name, letter, value: format.quantity(value, { trim: true, unit }), at: placeText(format, report, at) });
-    }
-    /** @param {number | null} value */
-    const say = (value) => (value === null ? "∞" : format.quantity(value, { trim: true, unit }));
-    return t("diagram.alternative", {
-      name, letter, min: say(range.min), max: say(range.max), minAt: placeText(format, report, range.min_at), maxAt: placeText(format, report, range.max_at),
-    });
-  }
-
-  /** @param {MouseEvent} event */
-  function thetaUnder(event) {
-    const [first] = rows;
-    const { travels, span } = store.state.report;
-    return first ? Math.min(Math.max(thetaAt(first, event.offsetX), 0), travels ? span : 359.9) : 0;
-  }
-
-  /** @param {PointerEvent} event */
-  function drag(event) {
-    const cycle = cycleOf(store.state.report);
-    const tenth = 10 / cycle.unit;
-    store.set({ cursor: inside(cycle, Math.round(thetaUnder(event) * tenth) / tenth), playing: false });
-  }
-
-  overlay.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    overlay.setPointerCapture(event.pointerId);
-    dragging = true;
-    drag(event);
-  });
-  overlay.addEventListener("pointermove", (event) => {
-    if (dragging) {
-      drag(event);
-      return;
-    }
+  moveCursor(overlay, store, () => rows[0], (event) => {
     const [first] = rows;
     if (!first || event.pointerType === "touch") return;
-    const inside = event.offsetX >= atTheta(first, 0) && event.offsetX <= atTheta(first, store.state.report.span);
-    hover = inside ? thetaUnder(event) : NaN;
-    lightSegment(inside ? store.state.report.borders.findIndex((border) => border > hover) - 1 : -1);
+    const { report } = store.state;
+    const within = event.offsetX >= atTheta(first, 0) && event.offsetX <= atTheta(first, report.span);
+    hover = within ? placeUnder(first, event, report) : NaN;
+    lightSegment(within ? report.borders.findIndex((border) => border > hover) - 1 : -1);
     drawCursor();
   });
-  for (const name of /** @type {const} */ (["pointerup", "pointercancel"])) {
-    overlay.addEventListener(name, () => {
-      dragging = false;
-    });
-  }
+  wheelCursor(overlay, store);
   overlay.addEventListener("pointerleave", () => {
     hover = NaN;
     lightSegment(-1);
@@ -299,25 +240,6 @@ export function mount(root, context) {
     const lit = store.state.highlight?.segment ?? -1;
     if (lit !== segment) store.set({ highlight: segment < 0 ? null : { segment } });
   }
-
-  overlay.addEventListener(
-    "wheel",
-    (event) => {
-      if (event.ctrlKey) return;
-      event.preventDefault();
-      const way = Math.sign(event.deltaY || event.deltaX);
-      const cycle = cycleOf(store.state.report);
-      if (way !== 0) store.set({ cursor: stepped(store.state.cursor, way * stride(event, cycle), cycle), playing: false });
-    },
-    { passive: false },
-  );
-  overlay.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey) return;
-    const change = played(store.state, event);
-    if (!change) return;
-    store.set(change);
-    event.preventDefault();
-  });
 
   vectorDrawings(() =>
     TABS[tabOf(store.state)].map((diagram) => {

@@ -50,13 +50,16 @@ export function createGallery(context, check) {
     );
   }
 
+  /** What it goes by: its number in the books, or what it is. @param {Example} example */
+  const nameOf = ({ id, group }) => (group === "more" ? t(`examples.name.${id}`) : id);
+
   /** @param {Example} example */
   function card(example) {
     const { title, note } = example[store.state.language];
     const portrait = portraits.get(example.id) ?? portray(lab(), example);
     portraits.set(example.id, portrait);
     const level = h("span", { class: `level ${portrait.level}` }, t(`examples.level.${portrait.level}`));
-    const name = h("strong", {}, `${example.id} · ${title}`);
+    const name = h("strong", {}, `${nameOf(example)} · ${title}`);
     const open = h("button", { type: "button", class: "sample", "data-example": example.id }, picture(portrait), h("span", { class: "words" }, name, level, h("span", { class: "about" }, note)));
     open.addEventListener("click", () => show(example));
     if (example.group !== "solved") return h("li", {}, open);
@@ -74,9 +77,9 @@ export function createGallery(context, check) {
     banner.hide();
     const found = check(example.design).design;
     if (!found) return;
-    const design = named(found, t);
+    const design = example.group === "more" ? { ...found, title: nameOf(example) } : named(found, t);
     shelve(design);
-    store.replace(design, t("edit.example", { name: example.id }));
+    store.replace(design, t("edit.example", { name: nameOf(example) }));
     store.set({ cursor: 0 });
   }
 

@@ -19,6 +19,7 @@ import { createTextField } from "./text-field.js";
 /** @type {Kind} */
 const FORMULA = {
   key: "expression",
+  radians: true,
   write: ({ expression }) => expression ?? "",
   read: (text) => ({ data: text }),
   adopt(segment, data, { report: { heights } }, index) {

@@ -7,7 +7,7 @@
  */
 import { h, symbol, write } from "./dom.js";
 import { followerEntry } from "./follower-choice.js";
-import { createHelpDrawing } from "./help-drawings.js";
+import { createHelpDrawing } from "./help-drawing.js";
 import { mark } from "./help-mark.js";
 import { createNumberField, lengthStep, ownStep } from "./number-field.js";
 

@@ -2,11 +2,11 @@
  * Help drawings of the kinds of cam that are not plain plates, and of a second cam; loaded when one is met.
  *
  * @import { Follower, KindId, TieKey } from "./types.d.ts"
- * @import { Symbols } from "./help-drawings.js"
+ * @import { Symbols } from "./help-drawing-parts.js"
  * @import { Point } from "./sketch.js"
  */
 import { s } from "./dom.js";
-import { cam, dimension } from "./help-drawings.js";
+import { cam, dimension } from "./help-drawing-parts.js";
 import { arcArrow, arrow, circle, letter, path, polar, stroke } from "./sketch.js";
 
 const CENTRE = { x: 74, y: 88 };

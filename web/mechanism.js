@@ -2,7 +2,6 @@
  * The mechanism: cam and follower to scale, turning; its layers, its window, what the pointer is on.
  *
  * @import { Context, State } from "./types.d.ts"
- * @import { View } from "./stage/view.js"
  */
 import { h } from "./dom.js";
 import { atRest } from "./rest.js";
@@ -13,17 +12,13 @@ import { metered } from "./stage/meter.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
 import { Pen } from "./stage/pen.js";
 import { Scene } from "./stage/scene.js";
-import { approach, fitView, zoomed } from "./stage/view.js";
+import { createSight } from "./stage/sight.js";
+import { fitView } from "./stage/view.js";
 
 /** Free room around the picture, CSS pixels. */
 const MARGIN = 14;
 /** Below a yoke, a pair or a wedge, which fill the corners, room for the scale bar and its label. */
 const SCALE_ROOM = 20;
-/** Share of the way that a moving view covers in a frame. */
-const GLIDE = 0.22;
-/** How far the scale may leave that of the fitted picture. */
-const FARTHEST = 0.2;
-const NEAREST = 60;
 /** A canvas does not get sharper than this many device pixels for a CSS pixel. */
 const SHARPEST = 3;
 
@@ -38,53 +33,36 @@ export function mount(root, context) {
   const coordinates = h("output", { class: "stage-coordinates", "aria-live": "off" });
   const menu = layersMenu(context);
   const buttons = /** @type {const} */ ({
-    out: h("button", { type: "button", class: "stage-zoom", onclick: () => zoomMiddle(1 / STEP) }, "−"),
-    in: h("button", { type: "button", class: "stage-zoom", onclick: () => zoomMiddle(STEP) }, "+"),
-    fit: h("button", { type: "button", onclick: fit }),
+    out: h("button", { type: "button", class: "stage-zoom", onclick: () => sight.zoom(1 / STEP, width / 2, height / 2) }, "−"),
+    in: h("button", { type: "button", class: "stage-zoom", onclick: () => sight.zoom(STEP, width / 2, height / 2) }, "+"),
+    fit: h("button", { type: "button", onclick: () => sight.fit() }),
   });
   const frame = h("div", { class: "stage-frame" }, canvas);
   root.append(frame, keys, h("div", { class: "stage-bar" }, menu.root, coordinates, h("div", { class: "stage-zooms", role: "group" }, buttons.out, buttons.in, buttons.fit)));
 
   const surface = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const pen = new Pen(surface, readPalette());
-  const still = matchMedia("(prefers-reduced-motion: reduce)");
   let width = 0;
   let height = 0;
   /** @type {Scene | null} */
   let scene = null;
   /** How other kinds of cam and pairs are drawn, loaded when the first is met. @type {import("./stage/kinds.js").Kinds | null} */
   let kinds = null;
-  /** @type {View | null} */
-  let goal = null;
-  /** True once the user has chosen what to see: then only a wholly other mechanism moves the view. */
-  let chosen = false;
-  let gliding = false;
   let kind = "";
   /** @type {{ x: number, y: number } | null} */
   let pointer = null;
 
   /** The text alternative. */
-  const describe = atRest(() => {
-    const { mechanism, units, kind, span, conjugate, summary } = store.state.report;
-    const length = (/** @type {number} */ value) => format.quantity(value, { trim: true, unit: units.length });
-    const second = conjugate ? ` ${t("stage.alternative.pair", { base: length(conjugate.mechanism.base_radius) })}` : "";
-    canvas.setAttribute(
-      "aria-label",
-      t(kind === "rotating" ? "stage.alternative" : `stage.alternative.${kind}`, {
-        length: length(span),
-        breadth: length(summary.breadth?.max ?? 0),
-        follower: t(`stage.follower.${mechanism.motion}-${mechanism.contact}`),
-        base: length(mechanism.base_radius),
-        reach: length(mechanism.reach),
-        sense: t(mechanism.sense > 0 ? "stage.counterclockwise" : "stage.clockwise"),
-      }) + second,
-    );
+  const describe = atRest(async () => {
+    const { mechanismInWords } = await import("./stage/in-words.js");
+    canvas.setAttribute("aria-label", mechanismInWords(context));
   });
 
   const draw = metered(() => {
     if (!scene || width === 0) return;
     scene.draw(pen, store.state, instant(context), format, width, height);
   });
+  const sight = createSight(pen.view, fitted, () => store.touch("window"));
 
   new ResizeObserver(() => {
     pen.palette = readPalette();
@@ -96,7 +74,7 @@ export function mount(root, context) {
     // As large as it is drawn: a frame of half a pixel would blur every line.
     canvas.style.inlineSize = `${canvas.width / pen.ratio}px`;
     canvas.style.blockSize = `${canvas.height / pen.ratio}px`;
-    if (scene && (!chosen || goal === null)) look(true);
+    if (scene && !(sight.chosen() && sight.found())) sight.look(true);
     draw();
   }).observe(frame);
 
@@ -119,7 +97,7 @@ export function mount(root, context) {
     draw();
   });
   store.subscribe(["cursor", "layers", "highlight", "beside", "window"], (_, changed) => {
-    if ((changed.has("layers") || changed.has("beside")) && scene && !chosen) look(false);
+    if ((changed.has("layers") || changed.has("beside")) && scene && !sight.chosen()) sight.look(false);
     if (!changed.has("report")) draw();
   });
   store.subscribe(["layers"], () => menu.update());
@@ -138,14 +116,9 @@ export function mount(root, context) {
       surface.setTransform(1, 0, 0, 1, 0, 0);
       return surface.isPointInPath(scene.cam.profile, x * c - y * n + scene.camShift(store.state.cursor), x * n + y * c);
     },
-    zoom(factor, px, py) {
-      if (!goal) return;
-      settle(zoomed(pen.view, factor, px, py, fitted().scale * FARTHEST, fitted().scale * NEAREST));
-    },
-    pan(dx, dy) {
-      settle({ scale: pen.view.scale, x: pen.view.x + dx, y: pen.view.y + dy });
-    },
-    fit,
+    zoom: sight.zoom,
+    pan: sight.pan,
+    fit: sight.fit,
     hover(point) {
       pointer = point;
       tellPointer();
@@ -168,14 +141,15 @@ export function mount(root, context) {
     const other = `${report.mechanism.motion} ${report.mechanism.contact} ${report.units.length} ${report.kind} ${report.conjugate !== null} ${report.travels ? report.span : ""}`;
     scene = new Scene(report, lab(), scene, filled() ? kinds : null);
     if (other !== kind) {
-      chosen = false;
+      sight.forget();
       menu.update();
     }
-    if (!chosen) look(kind === "");
+    if (!sight.chosen()) sight.look(kind === "");
     kind = other;
   }
 
   function fitted() {
+    if (width === 0) return null;
     return fitView(/** @type {Scene} */ (scene).box(store.state), width, height - (filled() ? SCALE_ROOM : 0), MARGIN);
   }
 
@@ -183,46 +157,6 @@ export function mount(root, context) {
   function filled() {
     const { report } = store.state;
     return report.kind !== "rotating" || report.conjugate !== null;
-  }
-
-  /**
-   * Shows everything, gliding there unless motion is unwanted.
-   * @param {boolean} atOnce
-   */
-  function look(atOnce) {
-    if (width === 0) return;
-    goal = fitted();
-    if (atOnce || still.matches) Object.assign(pen.view, goal);
-    else if (!gliding) {
-      gliding = true;
-      requestAnimationFrame(glide);
-    }
-  }
-
-  function glide() {
-    if (goal && !approach(pen.view, goal, GLIDE)) requestAnimationFrame(glide);
-    else gliding = false;
-    // Drawn with whatever else has changed, and only once a frame.
-    store.touch("window");
-  }
-
-  function fit() {
-    chosen = false;
-    look(false);
-    store.touch("window");
-  }
-
-  /** @param {View} view  as the user wants it, at once */
-  function settle(view) {
-    chosen = true;
-    goal = view;
-    Object.assign(pen.view, view);
-    store.touch("window");
-  }
-
-  /** @param {number} factor */
-  function zoomMiddle(factor) {
-    if (goal) settle(zoomed(pen.view, factor, width / 2, height / 2, fitted().scale * FARTHEST, fitted().scale * NEAREST));
   }
 
   function tellPointer() {

@@ -5,7 +5,7 @@
  * @import { NumberProblem } from "./numbers.js"
  */
 import { h } from "./dom.js";
-import { fieldText, parseNumber } from "./numbers.js";
+import { CUT, fieldText, parseNumber, restingText } from "./numbers.js";
 import { factor, scrub, tidy } from "./scrub.js";
 
 let sessions = 0;
@@ -13,10 +13,8 @@ let sessions = 0;
 /** Characters of what was typed that a complaint repeats. */
 const REPEATED = 24;
 
-/** Figures of a number at rest, fewer where they would not fit; in use it shows all it has. */
-const AT_REST = 7;
-const FEWEST = 3;
-
+/** Characters that a usual field has room for. */
+const ROOM = 7;
 /**
  * @typedef {object} Options
  * @property {string} id
@@ -36,7 +34,7 @@ const FEWEST = 3;
  * @param {ShellContext} context
  * @param {Options} options
  */
-export function createNumberField({ store, t }, { id, name, label, unit, read, write, clear, step, path, highlight, room = 8 }) {
+export function createNumberField({ store, t }, { id, name, label, unit, read, write, clear, step, path, highlight, room = ROOM }) {
   const errorId = `${id}-error`;
   const input = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", class: "number" });
   const unitNode = h("span", { class: "unit", id: `${id}-unit` });
@@ -63,8 +61,11 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   /** @param {number} value */
   function show(value) {
     shown = value;
-    const text = fieldText(focused() ? value : atRest(value, room), store.state.language);
+    const { language } = store.state;
+    const text = focused() ? fieldText(value, language) : restingText(value, room, language);
     if (input.value !== text) input.value = text;
+    const whole = text.includes(CUT) ? `${fieldText(value, language)}${unit() === "°" ? "" : " "}${unit()}` : "";
+    if (input.title !== whole) input.title = whole;
   }
 
   /**
@@ -179,7 +180,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     const value = read(state.design);
     if (value === undefined) {
       if (!clear || pending) return;
-      if (shown !== undefined) input.value = "";
+      if (shown !== undefined) input.value = input.title = "";
       shown = undefined;
     } else if (value !== shown) {
       pending = null;
@@ -221,18 +222,6 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 }
 
 /** @typedef {ReturnType<typeof createNumberField>} NumberField */
-
-/**
- * @param {number} value
- * @param {number} room
- */
-function atRest(value, room) {
-  for (let figures = AT_REST; ; figures--) {
-    const shown = Number(value.toPrecision(figures));
-    const text = String(shown);
-    if (figures === FEWEST || text.length <= room || !text.includes(".")) return shown;
-  }
-}
 
 /** @param {string} text */
 function abridged(text) {

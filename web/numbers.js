@@ -17,6 +17,11 @@ const SIGNIFICANT = 4;
 /** Below and above these a number is written with a power of ten. */
 const SMALL = 1e-4;
 const LARGE = 1e7;
+/** A number at rest has three figures at least, whatever the room; in use it shows all it has. */
+const FIGURES = /^\D?[0.,]*(?:\d[.,]?){1,3}/;
+/** What stands for the figures that are cut off, and how many of them its width takes. */
+export const CUT = "…";
+const CUT_WIDTH = 2;
 
 /**
  * What can be wrong with a number: each has its sentence under `number.` in the strings.
@@ -85,6 +90,23 @@ function shortest(value, sign) {
 export function fieldText(value, language) {
   const text = String(value).replace("-", MINUS).replace("e" + MINUS, "e-");
   return language === "es" ? text.replace(".", ",") : text;
+}
+
+/**
+ * A number as it stands in a field that nobody is in. One with more figures than there is room for is cut, and shows it: rounded, the
+ * angles of a program would seem to add up to more than a turn.
+ * @param {number} value
+ * @param {number} room
+ * @param {Language} language
+ */
+export function restingText(value, room, language) {
+  const whole = fieldText(Number(value.toPrecision(EXACT)), language);
+  const [mantissa = "", power = ""] = whole.split(/(?=e)/);
+  const point = mantissa.search(/[.,]/);
+  if (whole.length <= room || point < 0) return whole;
+  const figures = FIGURES.exec(mantissa)?.[0].length ?? 0;
+  const kept = Math.max(figures, point + 1, room - CUT_WIDTH - power.length);
+  return kept + 1 >= mantissa.length ? whole : mantissa.slice(0, kept) + CUT + power;
 }
 
 /**

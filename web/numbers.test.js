@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { createFormat, fieldText, parseNumber } from "./numbers.js";
+import { createFormat, fieldText, parseNumber, restingText } from "./numbers.js";
 
 /** @type {[string, number][]} */
 const READABLE = [
@@ -70,6 +70,18 @@ test("numbers are shown in the language's form", () => {
   assert.equal(en.angle(-0.01), "0.0°");
   assert.equal(en.number(null), "–");
   assert.equal(en.number(-Infinity), "−∞");
+});
+
+test("a field at rest shows all of a number that it has room for, and that there is more of one that it has not", () => {
+  assert.equal(restingText(256.32, 6, "es"), "256,32");
+  assert.equal(restingText(0.1 + 0.2, 6, "en"), "0.3");
+  // Rounded, seven of them would add up to more than a turn.
+  assert.equal(restingText(360 / 7, 6, "es"), "51,4…");
+  assert.equal(restingText(359.999999, 6, "en"), "359.…");
+  assert.equal(restingText(-1.377952755905, 7, "en"), "−1.37…");
+  assert.equal(restingText(0.000123456789, 7, "en"), "0.000123…");
+  assert.equal(restingText(1.23456789e-9, 7, "en"), "1.23…e-9");
+  assert.equal(restingText(123456789, 6, "en"), "123456789");
 });
 
 test("a quantity keeps four figures and never rounds whole digits away", () => {

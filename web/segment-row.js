@@ -55,7 +55,7 @@ export function createSegmentRow(context, actions) {
     step: (design) => (design.cam.kind === "translating" ? lengthStep(design) : 1),
     path: () => `segments[${index}].beta`,
     highlight: () => ({ segment: index }),
-    room: 5,
+    room: 6,
   });
   const rise = createNumberField(context, {
     id: `${id}-rise`,
@@ -109,6 +109,7 @@ export function createSegmentRow(context, actions) {
         step: (design) => (quantity === "height" ? lengthStep(design) / 100 : quantity === "span" || key === "degree" ? 1 : 0.05),
         path: () => `segments[${index}].${key}`,
         highlight: () => ({ segment: index }),
+        room: 5,
       }),
     }));
     parameters.replaceChildren(

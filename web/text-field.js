@@ -20,6 +20,7 @@ let sessions = 0;
  * @typedef {object} Kind
  * @property {string} key            the field of the segment, and its entry among the terms
  * @property {boolean} [long]        several lines
+ * @property {boolean} [radians]     where the follower swings it is in radians, unlike the numbers on the page, and says so
  * @property {(segment: Readonly<Segment>, language: "en" | "es") => string} write
  * @property {(text: string, t: ShellContext["t"]) => Meaning} read
  * @property {(segment: Segment, data: unknown, state: Readonly<State>, index: number) => void} [adopt]  what else follows from it
@@ -44,6 +45,7 @@ export function createTextField({ store, t }, { id, index }, kind) {
   let problem = null;
   let shown = "";
   let session = "";
+  let swings = false;
 
   /** @param {Readonly<State>} state */
   const segmentOf = (state) => state.design.segments[index()];
@@ -81,6 +83,7 @@ export function createTextField({ store, t }, { id, index }, kind) {
   function update(state) {
     const segment = segmentOf(state);
     if (!segment) return;
+    if (kind.radians && swings !== (state.design.follower.motion === "oscillating")) word();
     const text = kind.write(segment, state.language);
     if (text !== shown || (document.activeElement !== input && problem === null)) {
       if (text !== shown) problem = null;
@@ -96,6 +99,13 @@ export function createTextField({ store, t }, { id, index }, kind) {
     input.setAttribute("aria-describedby", message ? `${error.id} ${hint.id}` : hint.id);
   }
 
+  /** What is asked for, and in what. */
+  function word() {
+    swings = kind.radians === true && store.state.design.follower.motion === "oscillating";
+    label.textContent = t(swings ? `free.${key}.swing` : `free.${key}`, { number: index() + 1 });
+    hint.textContent = `${swings ? `${t(`free.${key}.swing.hint`)} ` : ""}${t(`free.${key}.hint`)}`;
+  }
+
   return {
     root,
     input,
@@ -104,8 +114,7 @@ export function createTextField({ store, t }, { id, index }, kind) {
     readable: () => problem === null,
 
     speak() {
-      label.textContent = t(`free.${key}`, { number: index() + 1 });
-      hint.textContent = t(`free.${key}.hint`);
+      word();
       update(store.state);
     },
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  LINKS, actOnSegment, announced, becomes, beta, descriptions, diagram, en, eventually, field, frames, fragment, law, level, literal, mechanism, nextFragment, numberOf,
+  LINKS, actOnSegment, announced, becomes, beta, descriptions, diagram, en, es, eventually, field, frames, fragment, law, level, literal, mechanism, nextFragment, numberOf,
   openStill, picture, program, redo, rise, undo, verdict, violations,
 } from "./user.js";
 
@@ -321,7 +321,7 @@ test("another unit keeps the cam or the numbers, whichever is wanted, and is one
   await changeUnit(page, "length-unit", "in", /^Same cam: 35\smm = 1\.378\sin$/);
   const inches = await nextFragment(page, LINKS["9RT"]);
   assert.match(inches, /R1\.3779527559055118_\.2755905511811024ui/);
-  assert.equal(await field(page, "base_radius").inputValue(), "1.377953");
+  assert.equal(await field(page, "base_radius").inputValue(), "1.377…");
   await becomes(() => figures(page), /0\.3937\sin/);
   await changeUnit(page, "length-unit", "mm", /^Same cam: 1\.378\sin = 35\smm$/);
   await becomes(() => fragment(page), LINKS["9RT"]);
@@ -330,9 +330,26 @@ test("another unit keeps the cam or the numbers, whichever is wanted, and is one
   await undo(page).click();
   await becomes(() => fragment(page), LINKS["9RT"]);
   await changeUnit(page, "speed-unit", "rpm", /^Same speed: 1\srad\/s = 9\.549\srpm$/);
-  await becomes(() => field(page, "speed").inputValue(), "9.549297");
+  await becomes(() => field(page, "speed").inputValue(), "9.549…");
   await changeUnit(page, "speed-unit", "rad/s", /^Same speed/);
   await becomes(() => fragment(page), LINKS["9RT"]);
+});
+
+test("a number with more figures than its field holds shows so at rest, and all of them to whoever asks", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"], locale: "es-ES" });
+  const angle = page.getByLabel(es("segments.beta.of", { number: 1 }), { exact: true });
+  await angle.fill("51,428571428571");
+  await angle.press("Tab");
+  assert.equal(await angle.inputValue(), "51,4…");
+  assert.equal(await angle.getAttribute("title"), "51,428571428571°");
+  await angle.focus();
+  assert.equal(await angle.inputValue(), "51,428571428571");
+  await angle.press("Tab");
+  const other = page.getByLabel(es("segments.beta.of", { number: 2 }), { exact: true });
+  await other.fill("256,32");
+  await other.press("Tab");
+  assert.equal(await other.inputValue(), "256,32");
+  for (const field of [angle, other]) assert.equal(await field.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth), 0, "nothing is cut by the field");
 });
 
 test("a unit that is not wanted after all changes nothing", async (t) => {

@@ -160,6 +160,17 @@ test("what is wrong with a formula points at the character, in the language of t
   await becomes(() => campo.getAttribute("aria-invalid"), null);
 });
 
+test("a formula says beside its field when it is in radians: where the follower swings", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.formula });
+  const swinging = labelled(page, "free.expression.swing", { number: 2 });
+  assert.equal(await swinging.count(), 0);
+  await page.locator('input[name="follower"][value="oscillating-roller"]').check({ force: true });
+  await swinging.waitFor();
+  assert((await descriptions(swinging)).some((sentence) => sentence?.startsWith(en("free.expression.swing.hint"))));
+  await undo(page).click();
+  await labelled(page, "free.expression", { number: 2 }).waitFor();
+});
+
 test("every editor of free data explains its term", async (t) => {
   for (const [name, term] of [["conditions", "conditions"], ["spline", "knots"], ["bezier", "ordinates"], ["table", "points"], ["table", "smoothing"], ["formula", "expression"]]) {
     const { page } = await openStill(t, { fragment: LINKS[name ?? ""] });

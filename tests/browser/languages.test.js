@@ -177,4 +177,9 @@ test("what the page brings along is named in its language: the first cam and the
   await page.locator('[data-example="R5"]').click();
   await becomes(() => title.inputValue(), "Ejemplo R5");
   await becomes(() => fragment(page), /^1\.Ejemplo_R5\./);
+  for (const [id, name] of [["GROOVE", "Leva de ranura"], ["WEDGE", "Cuña"], ["ARCS", "Siete arcos"]]) {
+    await page.getByRole("button", { name: es("header.examples"), exact: true }).click();
+    await page.locator(`[data-example="${id}"]`).click();
+    await becomes(() => title.inputValue(), name ?? "");
+  }
 });

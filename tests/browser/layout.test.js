@@ -5,6 +5,9 @@ import { LINKS, baseRadiusCure, becomes, en, field, frames, level, openStill, un
 
 /** @typedef {import("playwright-core").Page} Page */
 
+/** Two rollers on one cam, whose jumps of acceleration are tolerated. */
+const BREADTH = "1.Example_5ACRT.R40_10b100h.3UpiUn";
+
 const LAPTOP = { width: 1366, height: 768 };
 const SCREEN = { width: 1920, height: 1080 };
 const PHONE = { width: 390, height: 844 };
@@ -60,6 +63,12 @@ test("on a laptop the judgement keeps to one line, in both languages, with and w
     await becomes(() => level(page), "stopped");
     assert.equal(await lines(verdict(page).locator(".saying")), 1, `${locale}, stopped`);
   }
+  // The longest of all, beside the most figures.
+  for (const locale of ["es-ES", "en-GB"]) {
+    const { page } = await openStill(t, { locale, viewport: LAPTOP, fragment: BREADTH });
+    await becomes(() => level(page), "acceptable");
+    assert.equal(await lines(verdict(page).locator(".saying")), 1, `${locale}, constant breadth`);
+  }
 });
 
 /** Sections that lie over one another. @param {Page} page */
@@ -105,6 +114,38 @@ for (const [viewport, locale, theme] of /** @type {const} */ ([
     }
   });
 }
+
+test("the header keeps all its buttons in sight at every width, at the first visit and later", async (t) => {
+  for (const [firstVisit, locale] of /** @type {const} */ ([[true, "es-ES"], [false, "es-ES"], [true, "en-GB"]])) {
+    const { page } = await openStill(t, { firstVisit, locale });
+    if (firstVisit) await page.locator("#header .offer").waitFor();
+    for (const width of [1366, 1181, 1180, 1024, 921, 920, 834, 768, 721, 720, 390, 360]) {
+      await page.setViewportSize({ width, height: 800 });
+      await frames(page);
+      const right = await page.locator("#header").evaluate((header) => Math.max(...[...header.querySelectorAll("button")].map((button) => button.getBoundingClientRect().right)));
+      assert(right <= width, `${right} of ${width}, ${locale}`);
+    }
+  }
+});
+
+test("the place of the cursor under the diagrams covers none of the labels of their axis", async (t) => {
+  const { page } = await openStill(t, { viewport: LAPTOP });
+  for (const key of ["Home", "PageUp", "End"]) {
+    await page.locator(".diagram-overlay").press(key);
+    await frames(page);
+    const inked = await page.locator(".diagram-overlay").evaluate((overlay) => {
+      if (!(overlay instanceof HTMLCanvasElement)) throw new Error("no overlay");
+      const last = [...document.querySelectorAll(".diagram-canvas")].filter((canvas) => canvas.checkVisibility()).at(-1);
+      const [top, bottom] = [overlay.getBoundingClientRect().top, last?.getBoundingClientRect().bottom ?? 0];
+      const ratio = overlay.height / overlay.clientHeight;
+      // Nothing in the line of the labels, something below it.
+      const ink = (/** @type {number} */ from, /** @type {number} */ to) =>
+        overlay.getContext("2d")?.getImageData(0, Math.round((from - top) * ratio), overlay.width, Math.round((to - from) * ratio)).data.filter((_, i) => i % 4 === 3).some((alpha) => alpha > 0);
+      return [ink(bottom - 18, bottom - 6), ink(bottom, bottom + 8)];
+    });
+    assert.deepEqual(inked, [false, true], key);
+  }
+});
 
 test("on a laptop the mechanism and each diagram have room, and are sharp at two pixels for one", async (t) => {
   const { page } = await openStill(t, { viewport: LAPTOP, deviceScaleFactor: 2 });

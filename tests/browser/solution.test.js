@@ -68,6 +68,20 @@ test("beside it the cam, what moves it and the verdict stay in sight, and the di
   await eventually(() => right("#mechanism canvas"), (edge) => assert(edge > left, String(edge)));
 });
 
+test("on a tablet the cam stays in sight beside it, and Escape ends it from there too", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.R1, viewport: { width: 1024, height: 768 } });
+  const edge = (/** @type {string} */ part, /** @type {"left" | "right"} */ side) => page.locator(part).evaluate((element, side) => element.getBoundingClientRect()[side], side);
+  await open(page);
+  await says(page, /Verdict/);
+  const left = await edge("#solution", "left");
+  for (const part of ["#mechanism canvas", "#transport", "#verdict"]) await eventually(() => edge(part, "right"), (right) => assert(right > 300 && right <= left + 1, `${part}: ${right} of ${left}`));
+  assert.equal(await page.locator("#design").isVisible(), false);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollHeight), 768);
+  await page.locator("#mechanism canvas").focus();
+  await page.keyboard.press("Escape");
+  await becomes(() => page.locator("#design").isVisible(), true);
+});
+
 test("it is copied as LaTeX and as Markdown, and printed alone on its paper", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS.R1, permissions: ["clipboard-read", "clipboard-write"] });
   await open(page);

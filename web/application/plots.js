@@ -7,9 +7,10 @@
  */
 import { h, symbol, write } from "../dom.js";
 import { choice } from "../stage/choice.js";
-import { cycleOf, decimalsOf, inside, played } from "../stage/clock.js";
+import { cycleOf, decimalsOf } from "../stage/clock.js";
+import { moveCursor } from "../stage/cursor-hand.js";
 import { AT, instant } from "../stage/instant.js";
-import { drawOverlay, thetaAt } from "../stage/overlay.js";
+import { FLAG, drawOverlay } from "../stage/overlay.js";
 import { onAppearance, readPalette } from "../stage/palette.js";
 import { letterOf, placeText } from "../stage/place.js";
 import { PLOTS, styleOf } from "../stage/plots.js";
@@ -88,6 +89,7 @@ export function createPlots(context, work) {
       plots.style.setProperty("--tall", `${outputs.length > 1 ? AMONG : ALONE}px`);
     }
     palette = readPalette();
+    plots.style.setProperty("--flag", `${Math.round(palette.chartSize * FLAG)}px`);
     const ratio = Math.max(LEAST_RATIO, devicePixelRatio);
     const { span, travels } = store.state.report;
     rows = outputs.map((output, index) => {
@@ -133,32 +135,7 @@ export function createPlots(context, work) {
     drawOverlay(surface, { rows, width: plots.clientWidth, height: plots.clientHeight, ratio, cursor, hover: NaN, label, highlight, report: cam, at, palette });
   }
 
-  /** @param {PointerEvent} event */
-  function drag(event) {
-    const [first] = rows;
-    if (!first) return;
-    const { report } = store.state;
-    const cycle = cycleOf(report);
-    const tenth = 10 / cycle.unit;
-    const theta = Math.min(Math.max(thetaAt(first, event.offsetX), 0), report.travels ? report.span : report.span - 0.1);
-    store.set({ cursor: inside(cycle, Math.round(theta * tenth) / tenth), playing: false });
-  }
-
-  overlay.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    overlay.setPointerCapture(event.pointerId);
-    drag(event);
-  });
-  overlay.addEventListener("pointermove", (event) => {
-    if (overlay.hasPointerCapture(event.pointerId)) drag(event);
-  });
-  overlay.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey) return;
-    const change = played(store.state, event);
-    if (!change) return;
-    store.set(change);
-    event.preventDefault();
-  });
+  moveCursor(overlay, store, () => rows[0]);
 
   return { root, update: draw };
 }

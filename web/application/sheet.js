@@ -18,7 +18,7 @@ const SHEET = `
 .application-fields .unit { color: var(--muted); font-size: var(--size-small); }
 .application-fields .application-name { min-inline-size: 0; }
 .application-figures { display: flex; flex-wrap: wrap; gap: 0 var(--space-4); font-size: var(--size-small); }
-.application-plots { position: relative; display: flex; flex: none; flex-direction: column; gap: var(--space-1); }
+.application-plots { position: relative; display: flex; flex: none; flex-direction: column; gap: var(--space-1); padding-block-end: var(--flag, 0); }
 .application-plots figcaption { display: flex; flex-wrap: wrap; align-items: baseline; gap: 0 0.5em; color: var(--muted); font-size: var(--size-small); }
 .application-plots .symbol, .application-plots output { color: var(--curve); font-weight: 600; }
 .application-plots figcaption > .symbol { font-size: 1.45em; }

@@ -5,7 +5,7 @@
  */
 import { h } from "../dom.js";
 import { followerEntry } from "../follower-choice.js";
-import { createHelpDrawing } from "../help-drawings.js";
+import { createHelpDrawing } from "../help-drawing.js";
 import { addressOf, pageOf } from "./pages.js";
 import { beside } from "./place.js";
 import { dressed } from "./words.js";

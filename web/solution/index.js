@@ -149,6 +149,11 @@ function createView({ store, whole, t, announce }) {
     sheet.remove();
   });
   close.addEventListener("click", () => dialog.close());
+  // Beside the cam the window leaves the page in use: what had Escape for itself has kept it.
+  addEventListener("keydown", (event) => {
+    const free = event.target instanceof HTMLElement && !event.target.matches("input:not([type=range]), select, textarea") && !event.target.closest("dialog");
+    if (event.key === "Escape" && dialog.open && free && !event.defaultPrevented) dialog.close();
+  });
   dialog.addEventListener("keydown", (event) => {
     if (event.key === "Escape") dialog.close();
     // Keys of the animation are not for who reads; undo is.
@@ -157,13 +162,14 @@ function createView({ store, whole, t, announce }) {
   dialog.addEventListener("close", () => {
     if (before instanceof HTMLElement) before.focus();
   });
+  const header = document.getElementById("header");
+  if (header) new ResizeObserver(() => dialog.style.setProperty("--solution-top", `${header.getBoundingClientRect().bottom}px`)).observe(header);
   matchMedia(NARROW).addEventListener("change", () => {
     if (dialog.open) dialog.close();
   });
 
   return async function show() {
     before = document.activeElement;
-    dialog.style.setProperty("--solution-top", `${document.getElementById("header")?.getBoundingClientRect().bottom ?? 0}px`);
     if (!dialog.open) {
       if (matchMedia(NARROW).matches) dialog.showModal();
       else dialog.show();

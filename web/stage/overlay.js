@@ -6,6 +6,10 @@
  */
 import { placeIn } from "./place.js";
 
+/** Room under the last plot for the labels of θ, and below them for the place of the cursor, in heights of the type. */
+export const LABELS = 1.9;
+export const FLAG = 1.5;
+
 /**
  * @typedef {object} Row  one diagram as it lies under the overlay
  * @property {import("../types.d.ts").Diagram} [diagram]  which it is, when it is one of the cam
@@ -135,7 +139,7 @@ function lightUp(context, row, highlight, report, palette) {
 }
 
 /**
- * The angle at the foot of the cursor line, kept inside the plot.
+ * The place of the cursor, below the labels of the axis so that it covers none of them, kept inside the plot.
  * @param {CanvasRenderingContext2D} context
  * @param {string} label
  * @param {number} x
@@ -151,7 +155,7 @@ function flag(context, label, x, last, palette) {
   const half = label.length * size * 0.3 + 5;
   const left = last.x + area.left;
   const middle = Math.min(Math.max(x, left + half - 4), left + area.width - half + 4);
-  const y = last.y + area.top + area.height + 3;
+  const y = last.y + area.top + area.height + Math.round(size * LABELS);
   context.fillStyle = palette.ink;
   context.beginPath();
   context.roundRect(middle - half, y, 2 * half, size + 4, 3);

@@ -34,7 +34,7 @@ export const exportsEn = {
   "export.keyway.width": "Keyway, width",
   "export.keyway.depth": "Keyway, depth",
   "export.width": "Width",
-  "export.about.xlsx": "One sheet each for design, motion, profile (polar and x, y), pitch curve and verdict. Numbers are numbers.",
+  "export.about.xlsx": "One sheet each for design, motion, profile (polar and x, y), pitch curve and verdict. Cells hold numbers, not texts.",
   "export.about.csv": "Opens with a double click in the spreadsheets of either language.",
   "export.about.dxf": "Profile, pitch curve, base and prime circle, each closed and on its own layer, in the unit of the design.",
   "export.about.stl": "In millimetres, closed. The keyway points where the follower is at θ = 0.",

@@ -88,15 +88,15 @@ impl Word {
             Self::PressureAngle => ("Pressure angle", "Ángulo de presión"),
             Self::Curvature => ("Radius of curvature", "Radio de curvatura"),
             Self::PitchCurvature => {
-                ("Radius of curvature of the pitch curve", "Radio de curvatura de la curva primitiva")
+                ("Radius of curvature of the pitch curve", "Radio de curvatura de la curva de paso")
             }
             Self::Contact => ("Contact on the face", "Contacto sobre la cara"),
             Self::Profile => ("Profile", "Perfil"),
             Self::ProfileAngle => ("Profile, polar angle", "Perfil, ángulo polar"),
             Self::ProfileRadius => ("Profile, radius", "Perfil, radio"),
-            Self::PitchCurve => ("Pitch curve", "Curva primitiva"),
-            Self::PitchAngle => ("Pitch curve, polar angle", "Curva primitiva, ángulo polar"),
-            Self::PitchRadius => ("Pitch curve, radius", "Curva primitiva, radio"),
+            Self::PitchCurve => ("Pitch curve", "Curva de paso"),
+            Self::PitchAngle => ("Pitch curve, polar angle", "Curva de paso, ángulo polar"),
+            Self::PitchRadius => ("Pitch curve, radius", "Curva de paso, radio"),
             Self::OuterWall => ("Outer wall", "Pared exterior"),
             Self::OuterAngle => ("Outer wall, polar angle", "Pared exterior, ángulo polar"),
             Self::OuterRadius => ("Outer wall, radius", "Pared exterior, radio"),

@@ -97,10 +97,10 @@ fn layers_are_named_in_the_language_and_the_title_is_text() {
     design.title = "Leva ρ, 50%%d".to_owned();
     let shaft = Shaft { bore: 20.0, keyway: Some(Keyway { width: 6.0, depth: 2.8 }) };
     let drawing = read(&design, Language::Es, Some(shaft));
-    for layer in ["PERFIL", "CURVA_PRIMITIVA", "AGUJERO"] {
+    for layer in ["PERFIL", "CURVA_DE_PASO", "AGUJERO"] {
         assert!(line(&drawing, layer).is_some_and(|line| line.len() > 70), "{layer}");
     }
-    for layer in ["PERFIL", "CURVA_PRIMITIVA", "CIRCUNFERENCIA_BASE", "CIRCUNFERENCIA_PRIMARIA", "AGUJERO", "TEXTO"] {
+    for layer in ["PERFIL", "CURVA_DE_PASO", "CIRCUNFERENCIA_BASE", "CIRCUNFERENCIA_PRIMARIA", "AGUJERO", "TEXTO"] {
         assert!(drawing.layers.iter().any(|known| known.name == layer), "{layer}");
     }
     let titles: Vec<String> = drawing

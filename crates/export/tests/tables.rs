@@ -51,7 +51,7 @@ fn a_workbook_has_a_sheet_for_each_group_in_the_language() {
     );
     assert_eq!(
         names("9RT", Language::Es),
-        ["Diseño", "Movimiento", "Perfil (polares)", "Perfil (cartesianas)", "Curva primitiva", "Veredicto"]
+        ["Diseño", "Movimiento", "Perfil (polares)", "Perfil (cartesianas)", "Curva de paso", "Veredicto"]
     );
     assert!(!names("10EX", Language::En).contains(&"Pitch curve".to_owned()), "a flat face has no pitch curve");
 }

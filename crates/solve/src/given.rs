@@ -47,13 +47,19 @@ fn geometry(board: &mut Board) {
     }
     board.show(&shown.join(", "));
     if follower.drive == Drive::Turns {
-        board.say(
+        let offset = design.follower.parameters.iter().any(|parameter| parameter.symbol == "e");
+        let senses = if offset {
             two(
                 "($σ = 1$ for a cam that turns counter-clockwise, $σ = -1$ clockwise; the follower is above the cam and $e$ is positive to the right.)",
                 "($σ = 1$ si la leva gira en sentido antihorario, $σ = -1$ en sentido horario; el seguidor está encima de la leva y $e$ es positiva hacia la derecha.)",
-            ),
-            &[],
-        );
+            )
+        } else {
+            two(
+                "($σ = 1$ for a cam that turns counter-clockwise, $σ = -1$ clockwise; the follower is above the cam.)",
+                "($σ = 1$ si la leva gira en sentido antihorario, $σ = -1$ en sentido horario; el seguidor está encima de la leva.)",
+            )
+        };
+        board.say(senses, &[]);
     }
     if let Some(travel) = design.breadth_travel() {
         board.say(
@@ -93,7 +99,7 @@ fn speed(board: &mut Board) {
         let (start, end) = (program.heights()[k], program.heights()[k + 1]);
         vec![
             crate::document::line(&(k + 1).to_string()),
-            crate::document::line(levalab_words::law(board.language, segment.law)),
+            crate::document::line(levalab_words::law_alone(board.language, segment.law)),
             cell(&board.place(segment.beta)),
             cell(&format!("{} → {}", board.place(from), board.place(to))),
             cell(&board.height(end - start)),

@@ -45,7 +45,7 @@ class Element {
 const escape = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll('"', "&quot;");
 
 Object.assign(globalThis, { document: { createElementNS: (/** @type {string} */ _, /** @type {string} */ tag) => new Element(tag) } });
-const { createHelpDrawing } = await import("../../../web/help-drawings.js");
+const { createHelpDrawing } = await import("../../../web/help-drawing.js");
 const { DRAWINGS } = await import("./drawings.js");
 
 /** Labels of one language: those of every file of strings that speaks it. @param {string} language */

@@ -1,6 +1,6 @@
 //! Why a gap of a program was joined as it was, and what keeps one from being joined.
 
-use crate::{Language, Units, law, two};
+use crate::{Language, Units, law_alone, two};
 use levalab_core::{Choice, JoinProblem, Reason, Taste, Tried, Way};
 use levalab_format::Design;
 
@@ -75,9 +75,13 @@ pub fn choice(language: Language, design: &Design, choice: &Choice, taste: Taste
 
 fn way(language: Language, way: Way) -> String {
     match (way, language) {
-        (Way::Law(of), _) => law(language, of).to_owned(),
-        (Way::Waiting(of), Language::En) => format!("a dwell and then as short as it can be, {}", law(language, of)),
-        (Way::Waiting(of), Language::Es) => format!("un detenimiento y, lo más corta posible, {}", law(language, of)),
+        (Way::Law(of), _) => law_alone(language, of).to_owned(),
+        (Way::Waiting(of), Language::En) => {
+            format!("a dwell and then as short as it can be, {}", law_alone(language, of))
+        }
+        (Way::Waiting(of), Language::Es) => {
+            format!("un detenimiento y, lo más corta posible, {}", law_alone(language, of))
+        }
         (Way::Pieces, Language::En) => "a polynomial from point to point".to_owned(),
         (Way::Pieces, Language::Es) => "una polinómica de punto a punto".to_owned(),
         (Way::Stops, Language::En) => "a polynomial from point to point, at rest for an instant at each".to_owned(),

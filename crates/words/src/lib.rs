@@ -118,6 +118,12 @@ pub fn law(language: Language, law: &Law) -> &'static str {
     language.voice().law(law.id).unwrap_or(law.id)
 }
 
+/// The name of a law where it stands alone, as in the cell of a table: `dwell`.
+#[must_use]
+pub fn law_alone(language: Language, law: &Law) -> &'static str {
+    language.voice().law_alone(law.id).unwrap_or(law.id)
+}
+
 /// The name of a follower, as within a sentence: `oscillating roller follower`.
 #[must_use]
 pub fn follower(language: Language, kind: &FollowerKind) -> &'static str {

@@ -265,3 +265,14 @@ fn numbers_agree_with_their_nouns() {
     report.findings[0].places.truncate(1);
     assert_eq!(headline(Language::En, &report), "Not for high speeds: the jerk jumps at one joint.");
 }
+
+#[test]
+fn a_law_stands_alone_without_the_word_that_leads_to_it() {
+    for law in LAWS {
+        let alone = law_alone(Language::Es, law);
+        assert!(!alone.starts_with("de ") && !alone.starts_with("por "), "{alone}");
+        assert_eq!(law_alone(Language::En, law), super::law(Language::En, law));
+    }
+    let alone: Vec<_> = LAWS.iter().take(2).map(|law| law_alone(Language::Es, law)).collect();
+    assert_eq!(alone, ["detenimiento", "velocidad constante"]);
+}

@@ -23,7 +23,7 @@ pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
         FindingKind::Jump(1) => format!("The velocity {where_and_how_much}: an infinite acceleration, a blow."),
         FindingKind::Jump(2) if finding.level == Level::Acceptable => {
             format!(
-                "The acceleration {where_and_how_much}; tolerated here alone, because the yoke touches both sides and cannot lift off."
+                "The acceleration {where_and_how_much}; tolerated here alone: the yoke touches both sides and cannot lift off."
             )
         }
         FindingKind::Jump(_) if finding.level == Level::Acceptable => {

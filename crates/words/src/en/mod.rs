@@ -88,8 +88,7 @@ impl Voice for English {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {
             Level::Acceptable if joints > 0 => {
-                "Acceptable: the yoke holds the cam on both sides, so that jumps of the acceleration do not part them."
-                    .to_owned()
+                "Acceptable: the yoke holds the cam, and jumps of the acceleration do not part them.".to_owned()
             }
             Level::Acceptable => {
                 "Acceptable: the motion is smooth up to the jerk, and the profile is sound.".to_owned()

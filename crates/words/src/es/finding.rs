@@ -23,7 +23,7 @@ pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
         FindingKind::Jump(1) => format!("La velocidad {where_and_how_much}: aceleración infinita, un golpe."),
         FindingKind::Jump(2) if finding.level == Level::Acceptable => {
             format!(
-                "La aceleración {where_and_how_much}; solo aquí se tolera, porque el marco toca los dos lados y no puede despegarse."
+                "La aceleración {where_and_how_much}; solo aquí se tolera: el marco toca los dos lados y no puede despegarse."
             )
         }
         FindingKind::Jump(_) if finding.level == Level::Acceptable => {
@@ -53,7 +53,7 @@ pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
         }
         FindingKind::GrooveUndercut => {
             format!(
-                "{around} hay rebaje (socavación) en la pared exterior de la ranura: la curva primitiva es cóncava con radio {value} en {at}, menor que el del rodillo, {limit}."
+                "{around} hay rebaje (socavación) en la pared exterior de la ranura: la curva de paso es cóncava con radio {value} en {at}, menor que el del rodillo, {limit}."
             )
         }
         FindingKind::ConcaveFlat => {

@@ -50,6 +50,10 @@ impl Voice for Spanish {
         })
     }
 
+    fn law_alone(&self, id: &str) -> Option<&'static str> {
+        self.law(id).map(|name| name.strip_prefix("de ").or_else(|| name.strip_prefix("por ")).unwrap_or(name))
+    }
+
     fn follower(&self, id: &str) -> Option<&'static str> {
         Some(match id {
             "translating-roller" => "seguidor de traslación con rodillo",
@@ -88,8 +92,7 @@ impl Voice for Spanish {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {
             Level::Acceptable if joints > 0 => {
-                "Aceptable: el marco sujeta la leva por los dos lados y los saltos de aceleración no los separan."
-                    .to_owned()
+                "Aceptable: el marco rodea la leva y los saltos de aceleración no los separan.".to_owned()
             }
             Level::Acceptable => {
                 "Aceptable: el movimiento es suave hasta la sobreaceleración y el perfil es correcto.".to_owned()

@@ -1,22 +1,13 @@
 /**
- * The drawing beside the geometry fields: each follower at rest, with its magnitudes dimensioned. The one that is being
- * edited lights up, and a click on a dimension goes to its field.
+ * Each follower at rest on its cam, with its magnitudes dimensioned.
  *
- * @import { FollowerEntry, KindId } from "./types.d.ts"
+ * @import { Symbols } from "./help-drawing-parts.js"
+ * @import { Point } from "./sketch.js"
  */
-import { s } from "./dom.js";
-import { sign } from "./signs.js";
-import { arcArrow, arrow, circle, letter, lobe, path, polar, stroke } from "./sketch.js";
+import { baseRadius, cam, dimension } from "./help-drawing-parts.js";
+import { arcArrow, arrow, circle, path, polar, stroke } from "./sketch.js";
 
-/** @typedef {import("./sketch.js").Point} Point */
-/** @typedef {Record<string, string>} Symbols  symbol by parameter key */
 /** @typedef {(symbols: Symbols) => SVGElement[]} Drawing */
-
-const WIDTH = 168;
-const HEIGHT = 166;
-
-/** Empty room above the followers that swing. */
-const ROOM = 44;
 
 /** Base radius, eccentricity and centre of the translating drawings. */
 const BASE = 40;
@@ -31,7 +22,7 @@ const PIVOT_ANGLE = 10;
 const PIVOT = polar(HUB, PIVOT_DISTANCE, PIVOT_ANGLE);
 
 /** @type {Record<string, Drawing>} */
-const DRAWINGS = {
+export const DRAWINGS = {
   "translating-roller": translatingRoller,
   "translating-knife": translatingKnife,
   "translating-curved": translatingCurved,
@@ -39,92 +30,6 @@ const DRAWINGS = {
   "oscillating-roller": oscillatingRoller,
   "oscillating-flat": oscillatingFlat,
 };
-
-/**
- * @param {object} options
- * @param {(parameter: string) => void} options.pick
- * @param {(parameter: string | null) => void} options.point
- */
-export function createHelpDrawing({ pick, point }) {
-  const root = s("svg", { class: "help-drawing", role: "img" });
-  let wanted = "";
-
-  /** @param {Event} event */
-  const parameterAt = (event) =>
-    event.target instanceof Element ? (event.target.closest("[data-parameter]")?.getAttribute("data-parameter") ?? null) : null;
-
-  root.addEventListener("click", (event) => {
-    const parameter = parameterAt(event);
-    if (parameter) pick(parameter);
-  });
-  root.addEventListener("pointerover", (event) => point(parameterAt(event)));
-  root.addEventListener("pointerleave", () => point(null));
-
-  return {
-    root,
-
-    /**
-     * @param {FollowerEntry} entry
-     * @param {string} name  text alternative
-     * @param {KindId} kind
-     */
-    async show(entry, name, kind) {
-      /** @type {Symbols} */
-      const symbols = { base_radius: "R_b", breadth: "d_c", length: "ℓ" };
-      for (const parameter of entry.parameters) symbols[parameter.key] = parameter.symbol;
-      for (const [key, ours] of Object.entries(symbols)) if (key !== "arm") symbols[key] = sign(ours);
-      const now = (wanted = `${kind} ${entry.id}`);
-      const plain = () => (DRAWINGS[entry.id] ?? anyFollower)(symbols);
-      const top = entry.motion === "oscillating" ? ROOM : 0;
-      root.setAttribute("viewBox", `0 ${top} ${WIDTH} ${HEIGHT - top}`);
-      root.setAttribute("aria-label", name);
-      if (kind === "rotating" || kind === "grooved") return root.replaceChildren(...plain());
-      const { kindDrawing } = await import("./kind-drawings.js");
-      if (wanted === now) root.replaceChildren(...(kindDrawing(kind, entry.id, symbols) ?? plain()));
-    },
-
-    /** @param {string | null} parameter */
-    light(parameter) {
-      for (const group of root.querySelectorAll("[data-parameter]")) {
-        group.classList.toggle("lit", group.getAttribute("data-parameter") === parameter);
-      }
-    },
-  };
-}
-
-/**
- * @param {Symbols} symbols
- * @param {string} key
- * @param {SVGElement[]} strokes
- * @param {Point} at
- * @param {"start" | "middle" | "end"} [anchor]
- */
-export function dimension(symbols, key, strokes, at, anchor) {
-  const symbol = symbols[key];
-  if (symbol === undefined) return s("g");
-  return s("g", { "data-parameter": key, class: "dimension" }, ...strokes, letter(symbol, at, anchor));
-}
-
-/**
- * @param {Point} centre
- * @param {number} base
- * @param {number} about  direction of the lobe
- */
-export function cam(centre, base, about) {
-  return [stroke("cam", lobe(centre, base, 13, about)), circle("base-circle", centre, base), circle("hub", centre, 4)];
-}
-
-/**
- * @param {Symbols} symbols
- * @param {Point} centre
- * @param {number} base
- * @param {number} direction
- */
-export function baseRadius(symbols, centre, base, direction) {
-  const tip = polar(centre, base, direction);
-  const label = polar(centre, base * 0.6, direction + 24);
-  return dimension(symbols, "base_radius", arrow(centre, tip), { x: label.x, y: label.y + 4 });
-}
 
 /** @param {number} x */
 function guide(x) {
@@ -290,6 +195,6 @@ function oscillatingFlat(symbols) {
 }
 
 /** @type {Drawing} */
-function anyFollower(symbols) {
+export function anyFollower(symbols) {
   return [...cam(CENTRE, BASE, 225), ...axisAndStem(CENTRE.y - BASE), baseRadius(symbols, CENTRE, BASE, 155)];
 }

@@ -1,0 +1,62 @@
+/**
+ * The motion of a cam of constant breadth, in the design panel.
+ *
+ * @import { Generator, ShellContext } from "../types.d.ts"
+ */
+import { h, write } from "../dom.js";
+import { changeGenerator } from "../kind-change.js";
+import { breadthTravel } from "../program.js";
+import { rounded } from "./rounded.js";
+
+/** Rows of a ready-made motion that are listed; a longer one repeats itself. */
+const LISTED = 4;
+
+/** @param {ShellContext} context */
+export function createBreadthPanel(context) {
+  const { store, catalogue, t, format } = context;
+  const select = h("select", { id: "field-generator" }, ...catalogue.generators.map((value) => h("option", { value })));
+  const label = h("label", { for: select.id });
+  const sides = h("select", { id: "field-sides" }, ...catalogue.polygons.map(({ sides: value }) => h("option", { value }, String(value))));
+  const sidesLabel = h("label", { for: sides.id });
+  const rule = h("p", { class: "hint rule" });
+  const rows = h("ol", { class: "ready" });
+  const note = h("p", { class: "hint" });
+  const error = h("p", { class: "error", hidden: true });
+  const root = h("fieldset", { class: "breadth" }, h("legend", { class: "unseen" }), h("div", { class: "choices-row" }, label, select, h("span", { class: "sides" }, sidesLabel, sides)), error, rule, rows, note);
+
+  const polygon = () => catalogue.polygons.find(({ sides: value }) => String(value) === sides.value) ?? { sides: 3, least: 0 };
+  const adopt = () => store.edit(t("edit.generator"), (draft) => changeGenerator(draft, /** @type {Generator} */ (select.value), polygon()));
+  select.addEventListener("change", adopt);
+  sides.addEventListener("change", adopt);
+
+  function update() {
+    const { design, report, error: wrong, stale } = store.state;
+    const { cam, length_unit: unit } = design;
+    root.hidden = cam.kind !== "constant-breadth";
+    if (root.hidden) return;
+    select.value = cam.generator ?? "harmonic";
+    if (cam.sides !== undefined) sides.value = String(cam.sides);
+    for (const part of [sides, sidesLabel]) part.hidden = cam.generator !== "circular-arc";
+    const length = (/** @type {number} */ value) => format.number(value, { unit });
+    write(rule, t("breadth.rule", { breadth: format.number(cam.breadth), radius: format.number(cam.base_radius), travel: length(breadthTravel(design)) }));
+    const own = wrong && /generator|sides/.test(wrong.path) ? wrong.message : "";
+    error.hidden = own === "";
+    write(error, own);
+    const program = (!stale && report.program) || [];
+    rows.hidden = program.length === 0;
+    rows.replaceChildren(...program.slice(0, LISTED).map(({ law, beta, rise }) => h("li", {}, h("span", {}, t(law === "circular-arc" ? "breadth.arc" : `law.${law}`)), h("span", {}, format.number(rounded(beta), { unit: "°" })), h("span", {}, rise === 0 ? "" : format.number(rounded(rise), { unit })))));
+    write(note, cam.generator === "mirror" ? t("breadth.mirror") : t(program.length > LISTED ? "breadth.ready.more" : "breadth.ready", { count: program.length - LISTED }));
+  }
+
+  function speak() {
+    root.firstElementChild?.replaceChildren(t("breadth.title"));
+    label.textContent = t("breadth.generator");
+    sidesLabel.textContent = t("breadth.sides");
+    for (const option of select.options) option.textContent = t(`generator.${option.value}`);
+    update();
+  }
+
+  speak();
+  store.subscribe(["report"], update);
+  return { root, update, speak };
+}
