@@ -7,13 +7,16 @@ use crate::process::{self, run_told};
 /// How many.
 #[derive(clap::Args)]
 pub struct Options {
-    /// Random designs, damaged links and formulas to try, of each.
+    /// Random designs and damaged links to try, of each; formulas, which are quick, a million at least.
     #[arg(long, default_value_t = SHORT)]
     count: u64,
 }
 
 /// How many are tried when nothing is said, and by `cargo xtask test`.
 const SHORT: u64 = 100_000;
+
+/// Fewest texts tried as formulas: they take a second.
+const FORMULAS: u64 = 1_000_000;
 
 impl Default for Options {
     fn default() -> Self {
@@ -27,8 +30,9 @@ pub fn run(options: &Options) -> Result<()> {
     let designs = ["--package", "levalab-format", "--test", "soak", "--", "--nocapture"];
     let formulas =
         ["--package", "levalab-core", "--lib", "--", "any_text_is_an_expression_or_a_refusal", "--nocapture"];
-    for (what, arguments) in [("designs and damaged links", designs), ("formulas", formulas)] {
-        let mut command = process::cargo(["test", "--release"].into_iter().chain(arguments));
+    let all = [("designs and damaged links", count, designs.as_slice()), ("formulas", count.max(FORMULAS), &formulas)];
+    for (what, count, arguments) in all {
+        let mut command = process::cargo(["test", "--release"].into_iter().chain(arguments.iter().copied()));
         command.env("LEVALAB_SOAK", count.to_string());
         run_told(&format!("trying {count} {what}"), &mut command)?;
     }
