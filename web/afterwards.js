@@ -1,5 +1,5 @@
 /**
- * What can wait until the first picture is there: the rest of the calculation, the other language, recent designs, dropped files, the
+ * What can wait until the first picture is there: the whole calculation, the other language, recent designs, dropped files, the
  * worker for use without the network, the offer of a guided minute at the first visit.
  *
  * @import { ShellContext } from "./types.d.ts"
@@ -22,7 +22,7 @@ const SETTLED = 4000;
  * @param {Engine} engine
  */
 export async function begin(context, engine) {
-  // Without the rest, should the network fail just now, the others still work.
+  // Without the whole, should the network fail just now, the others still work.
   await Promise.allSettled([context.whole(), learn("en"), learn("es")]);
   keepRecent(context, (design) => engine.check(design));
   acceptDrops(context, opener(context, engine));

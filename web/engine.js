@@ -1,12 +1,12 @@
 /**
- * The calculation: WebAssembly, loaded in two parts, and started again from what was loaded should it ever panic.
+ * The calculation: WebAssembly, loaded twice, and started again from what was loaded should it ever panic.
  *
- * The first part is what the first picture needs. What is asked of the rest before it is there traps; the engine then fetches it, starts
- * afresh with both, and the design is analysed again.
+ * First comes what the first picture runs and nothing else, then the whole takes over. What that first part does not hold stops it; the
+ * engine then waits for the whole, and the design is analysed again.
  *
  * @import { ApplicationEntry, ChartStyle, Design, Driven, Lab, Language, Opened, PlotArea, Read, Room, SolutionNode, TieKey } from "./types.d.ts"
  */
-import { compileFirst, compileRest, glue } from "./module.js";
+import { compileFirst, compileWhole, glue } from "./module.js";
 
 /** Stations of a turn that are drawn. */
 const SAMPLES = 720;
@@ -38,18 +38,16 @@ const RESTART_WINDOW = 10_000;
  * @param {object} options
  * @param {() => Language} options.language
  * @param {(hopeless: boolean) => void} options.restarted  told after a panic, when the engine works again or never will
- * @param {() => void} options.completed  told when the rest came after it had been asked for
+ * @param {() => void} options.completed  told when the whole came after it had been missed
  */
 export async function startEngine({ language, restarted, completed }) {
   const first = compileFirst();
   /** Asked for once; again when it did not come. @type {Promise<WebAssembly.Module> | null} */
   let rest = null;
-  /** True when the instance has both parts. */
+  /** True when the whole is at work. */
   let whole = false;
   /** @type {Promise<void> | null} */
   let completing = null;
-  /** @type {WebAssembly.Exports} */
-  let exports;
   let generation = 0;
   /** @type {number[]} */
   let panics = [];
@@ -62,30 +60,39 @@ export async function startEngine({ language, restarted, completed }) {
   /** @type {Lab} */
   let lab;
 
-  /** A fresh copy of the glue holds a fresh instance: a panicked one cannot be trusted. */
-  async function instantiate() {
-    /** @type {Module} */
+  /**
+   * Goes on with a fresh instance, which a fresh copy of the glue holds: a panicked one cannot be trusted, and one of the first part
+   * leaves its work to the whole.
+   * @param {WebAssembly.Module} compiled
+   */
+  async function goOn(compiled) {
     const fresh = await glue(generation++);
-    exports = await fresh.default({ module_or_path: await first });
-    if (whole) await WebAssembly.instantiate(await remainder(), { first: exports });
+    await fresh.default({ module_or_path: compiled });
+    const left = /** @type {Lab | undefined} */ (lab);
     module = fresh;
     lab = new fresh.Lab();
+    if (good) lab.open(good, SAMPLES, language());
+    try {
+      left?.free();
+    } catch {
+      // It panicked, and lies there with its instance.
+    }
   }
 
   function remainder() {
-    rest ??= compileRest().catch((/** @type {unknown} */ error) => {
+    rest ??= compileWhole().catch((/** @type {unknown} */ error) => {
       rest = null;
       throw error;
     });
     return rest;
   }
 
-  /** Puts the rest beside the first part, where both share everything. */
+  /** Lets the whole take over. */
   function complete() {
     completing ??= (async () => {
       try {
-        const second = await remainder();
-        if (!whole) await WebAssembly.instantiate(second, { first: exports });
+        const compiled = await remainder();
+        if (!whole) await goOn(compiled);
         whole = true;
       } finally {
         completing = null;
@@ -94,17 +101,15 @@ export async function startEngine({ language, restarted, completed }) {
     return completing;
   }
 
-  /** @param {boolean} early  that the rest was asked for is no panic */
+  /** @param {boolean} early  that the whole is missed is no panic */
   async function restart(early) {
     restarting = true;
     const now = performance.now();
     if (!early) panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
     if (panics.length > RESTARTS) return restarted(true);
     try {
-      // The abandoned instance gets the rest too, in which its last objects are freed.
-      if (early || completing) await complete();
-      await instantiate();
-      if (good) lab.open(good, SAMPLES, language());
+      if (early) await complete();
+      else await goOn(await remainder());
     } catch (error) {
       console.error(error);
       return restarted(true);
@@ -135,30 +140,29 @@ export async function startEngine({ language, restarted, completed }) {
    */
   function failed(error) {
     if (!(error instanceof WebAssembly.RuntimeError)) return restarting;
-    // A call through a slot that the rest has not filled yet; each browser says "null" in its own sentence.
-    const early = !whole && error.message.includes("null");
+    const early = !whole;
     if (!early) console.error(error);
     if (!restarting) recovery = restart(early);
     return true;
   }
 
-  // Links lead to all kinds of cam, so both parts are asked for at once.
+  await goOn(await first);
+  // Links lead to all kinds of cam.
   if (location.hash !== "") void remainder().catch(() => {});
-  await instantiate();
 
   return {
     lab: () => lab,
     /** A laboratory besides the page's own. */
     another: () => new module.Lab(),
     failed,
-    /** The module with everything that is not asked for at every visit. @returns {Promise<Module>} */
+    /** The whole module. @returns {Promise<Module>} */
     async whole() {
       if (!whole) await complete();
       await recovery;
       return module;
     },
     /**
-     * What `work` gives, once more with both parts when the first one alone could not do it.
+     * What `work` gives, once more by the whole when the first part could not do it.
      * @template Result
      * @param {() => Result} work
      */
@@ -171,11 +175,11 @@ export async function startEngine({ language, restarted, completed }) {
 
     /**
      * @param {Design} design
-     * @param {string} panicked  what to say when the calculation fails
+     * @param {(arriving: boolean) => string} without  what to say when the calculation fails, or when what it needs is still arriving
      * @returns {Opened}
      */
-    analyse(design, panicked) {
-      const opened = guarded(() => lab.open(design, SAMPLES, language()), { error: { path: "", message: panicked } });
+    analyse(design, without) {
+      const opened = guarded(() => lab.open(design, SAMPLES, language()), null) ?? { error: { path: "", message: without(!whole) } };
       if (opened.report) good = design;
       return opened;
     },

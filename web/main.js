@@ -46,7 +46,7 @@ async function start() {
 
   store.connect({
     analyse(design) {
-      const opened = engine.analyse(design, t("banner.panic"));
+      const opened = engine.analyse(design, (arriving) => t(arriving ? "banner.arriving" : "banner.panic"));
       if (opened.error) opened.error.message = say(opened.error.message);
       else if (speakIn(opened.report?.notation)) store.touch("language");
       return opened;
@@ -97,7 +97,7 @@ async function start() {
   idle(() => void import("./afterwards.js").then(({ begin }) => begin(context, engine)).catch(console.error));
 }
 
-/** The rest of the calculation came when it had been missed: what could not be drawn without it is drawn now. */
+/** The whole calculation came when it had been missed: what could not be drawn without it is drawn now. */
 function completed() {
   if (started) store.reanalyse();
 }

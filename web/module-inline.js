@@ -2,10 +2,12 @@
 import { inlined } from "./inlined.js";
 import { freshGlue } from "levalab:glue";
 
-/** The whole module. @returns {Promise<WebAssembly.Module>} */
-export const compileFirst = () => WebAssembly.compile(inlined("levalab-module"));
+/** @type {Promise<WebAssembly.Module> | undefined} */
+let compiled;
 
-/** Nothing is left: a module of eight bytes. */
-export const compileRest = () => WebAssembly.compile(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0));
+/** The whole is there from the start. */
+export const compileWhole = () => (compiled ??= WebAssembly.compile(inlined("levalab-module")));
+
+export const compileFirst = compileWhole;
 
 export const glue = async () => freshGlue();

@@ -1,10 +1,10 @@
 /** Where the calculation comes from: files beside the page. The single-file page has `module-inline.js` in this one's place. */
 
-/** What the first picture needs. */
+/** What the first picture runs. */
 export const compileFirst = () => compile("./pkg/levalab_first.wasm");
 
-/** All else: it works in the memory of the first part, whose exports it imports. */
-export const compileRest = () => compile("./pkg/levalab_rest.wasm");
+/** All there is. */
+export const compileWhole = () => compile("./pkg/levalab_wasm_bg.wasm");
 
 /**
  * @param {string} file

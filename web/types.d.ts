@@ -357,6 +357,7 @@ export type Exported = { bytes: Uint8Array; error?: undefined } | { error: strin
 
 /** The engine's one object: the current cam. */
 export interface Lab {
+  free(): void;
   open(design: Design, samples: number, language: Language): Opened;
   /** What would cure each finding of the current cam, and of the second one, in their order. Slower than an analysis: for when the hand rests. */
   cures(language: Language): Cure[][];

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drawn } from "./browser.js";
 import { openPage } from "./harness.js";
-import { becomes, eventually, field, fragment, level } from "./user.js";
+import { becomes, cursor, en, eventually, field, fragment, law, level, verdict } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -44,13 +44,13 @@ for (const [locale, language] of [["en-GB", "en"], ["es-ES", "es"]]) {
   });
 }
 
-/** The rest of the module waits until it is let through. @param {Page} page */
+/** The whole module waits until it is let through. @param {Page} page */
 async function withhold(page) {
   /** @type {() => void} */
   let release = () => {};
   const gate = new Promise((resolve) => (release = () => resolve(undefined)));
   let asked = false;
-  await page.route("**/levalab_rest.wasm", async (route) => {
+  await page.route("**/levalab_wasm_bg.wasm", async (route) => {
     asked = true;
     await gate;
     await route.continue();
@@ -58,18 +58,29 @@ async function withhold(page) {
   return { release, asked: () => asked };
 }
 
-for (const locale of ["en-GB", "es-ES"]) {
-  test(`the first picture and an edit need no other part of the module (${locale})`, async (t) => {
-    const { page, url } = await openPage(t, { locale, ready: false, fragment: "" });
-    const rest = await withhold(page);
+/** Screens from a phone to a projector, of both languages and themes. @type {import("playwright-core").BrowserContextOptions[]} */
+const SCREENS = [
+  { locale: "en-GB" },
+  { locale: "es-ES", colorScheme: "dark" },
+  { locale: "es-ES", viewport: { width: 390, height: 844 }, deviceScaleFactor: 3, isMobile: true, hasTouch: true },
+  { locale: "en-GB", viewport: { width: 1920, height: 1080 }, deviceScaleFactor: 1.5, colorScheme: "dark" },
+];
+
+for (const screen of SCREENS) {
+  const { width } = screen.viewport ?? { width: 1366 };
+  test(`the first picture, its animation and an edit do without the whole module (${screen.locale}, ${width} wide)`, async (t) => {
+    const { page, url } = await openPage(t, { ...screen, ready: false, fragment: "" });
+    const whole = await withhold(page);
     await page.goto("about:blank");
     await page.goto(url);
     await drawn(page);
     await becomes(() => level(page), "low-speed");
+    const before = await cursor(page);
+    await eventually(() => cursor(page), (now) => assert.notEqual(now, before, "the cam stands still"));
     await field(page, "base_radius").fill("36");
     await becomes(() => fragment(page), /\.R36_7/);
     assert.equal(await level(page), "low-speed");
-    rest.release();
+    whole.release();
     await eventually(() => page.locator("#verdict .cures button").count(), (count) => assert(count > 0, "no cure is offered"));
   });
 }
@@ -77,15 +88,29 @@ for (const locale of ["en-GB", "es-ES"]) {
 /** A polynomial through nine conditions. */
 const GAIT = "1.Example_R6.R2_1uiw12.566N256.32s0v0a0s56.88_1.177s123.84_.847s198.72_1.139s256.32v256.32a256.32D103.68.1VXCG1";
 
-test("what the first part cannot do waits for the rest, and is done then", async (t) => {
+test("what only the whole module can do waits for it, and is done then", async (t) => {
   const { page, url } = await openPage(t, { ready: false });
-  const rest = await withhold(page);
+  const whole = await withhold(page);
   await page.goto("about:blank");
   await page.goto(`${url}#${GAIT}`);
-  await eventually(async () => rest.asked(), (asked) => assert(asked, "such a link asks for the rest at once"));
+  await eventually(async () => whole.asked(), (asked) => assert(asked, "such a link asks for the whole at once"));
   assert.equal(await page.evaluate(() => performance.getEntriesByName("levalab:drawn").length), 0, "drawn without what it needs");
-  rest.release();
+  whole.release();
   await drawn(page);
   await becomes(() => page.title(), /^Example R6/);
   await becomes(() => field(page, "base_radius").inputValue(), "2");
+});
+
+test("an edit for which the whole module is missing says so, and is done when that has come", async (t) => {
+  const { page, url } = await openPage(t, { ready: false });
+  const whole = await withhold(page);
+  await page.goto("about:blank");
+  await page.goto(url);
+  await drawn(page);
+  await law(page, 1).selectOption("double-harmonic");
+  await verdict(page).getByText(en("banner.arriving")).waitFor();
+  whole.release();
+  await verdict(page).getByText(en("banner.arriving")).waitFor({ state: "hidden" });
+  await becomes(() => level(page), "unacceptable");
+  await becomes(() => law(page, 1).inputValue(), "double-harmonic");
 });

@@ -17,8 +17,7 @@ const SAMPLES = 720;
 const root = path.resolve(import.meta.dirname, "../..");
 const { LEVALAB_CLI: cli, LEVALAB_MODULE: module } = process.env;
 assert(cli && module, "LEVALAB_CLI and LEVALAB_MODULE name what to compare: run `cargo xtask test wasm`");
-const exports = initSync({ module: readFileSync(path.join(module, "levalab_first.wasm")) });
-new WebAssembly.Instance(new WebAssembly.Module(readFileSync(path.join(module, "levalab_rest.wasm"))), { first: /** @type {any} */ (exports) });
+initSync({ module: readFileSync(path.join(module, "levalab_wasm_bg.wasm")) });
 
 const examples = readdirSync(path.join(root, "examples")).filter((name) => name.endsWith(".lev.json"));
 assert(examples.length > 0, "no examples");
@@ -109,5 +108,17 @@ for (const example of examples) {
       const other = opened.report.conjugate?.summary.pressure_angle ?? angle;
       assert.deepEqual([Math.min(angle?.min ?? NaN, other?.min ?? NaN), Math.max(angle?.max ?? NaN, other?.max ?? NaN)], figures.slice(8, 10), id);
     }
+  });
+}
+
+for (const id of ["9RT", "1RT", "12PO"]) {
+  test(`${id}: what the first picture runs of the module tells what the whole tells`, async () => {
+    // A copy of the glue for an instance of its own.
+    const cut = await import(`../../web/pkg/levalab_wasm.js?${id}`);
+    cut.initSync({ module: readFileSync(path.join(/** @type {string} */ (module), "levalab_first.wasm")) });
+    const design = JSON.parse(readFileSync(path.join(root, "examples", `${id}.lev.json`), "utf8"));
+    const [first, whole] = [new cut.Lab(), new Lab()];
+    assert.deepEqual(first.open(design, SAMPLES, "es"), whole.open(design, SAMPLES, "es"));
+    for (const column of ["s", "v", "a", "j", "pressure_angle", "x", "y"]) assert.deepEqual(first.column(column), whole.column(/** @type {any} */ (column)));
   });
 }

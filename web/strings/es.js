@@ -11,6 +11,7 @@ export const es = {
   "banner.copy": "Copiar el enlace tal como llegó",
   "banner.link": "{reason} No se ha abierto: su diseño sigue como estaba.",
   "banner.panic": "Ha fallado algo en el cálculo; es un defecto de LevaLab, no suyo. Se ha vuelto a arrancar y no se ha perdido nada: deshaga el último cambio y continúe.",
+  "banner.arriving": "Una parte del cálculo está llegando todavía: un momento.",
   "banner.broken": "El cálculo sigue fallando. Su diseño está a salvo en la barra de direcciones: copie el enlace y vuelva a cargar la página.",
   "banner.engine": "LevaLab no ha podido arrancar: este navegador no ha cargado WebAssembly. ({reason})",
   "banner.file": "No se ha abierto el archivo. {reason}",

@@ -119,16 +119,14 @@ fn copy_others(fresh: &Path) -> Result<()> {
             .path()
             .extension()
             .is_none_or(|extension| ["js", "ts", "css", "md"].iter().any(|other| extension == *other));
-        // Shipped in its parts.
-        let whole = entry.file_name() == wasm::WHOLE;
-        if entry.file_type().is_file() && !hidden && !joined && !whole {
+        if entry.file_type().is_file() && !hidden && !joined {
             let place = fresh.join(relative);
             fs::create_dir_all(place.parent().unwrap_or(fresh))?;
             fs::copy(entry.path(), &place).with_context(|| place.display().to_string())?;
         }
     }
-    for part in [wasm::FIRST, wasm::REST] {
-        ensure!(fresh.join("pkg").join(part).is_file(), "{part} is missing");
+    for module in [wasm::FIRST, wasm::WHOLE] {
+        ensure!(fresh.join("pkg").join(module).is_file(), "{module} is missing");
     }
     Ok(())
 }
@@ -192,7 +190,7 @@ fn print_sizes(packed: &Packed) -> Result<()> {
         if !packed.first.contains(&name) {
             let when = match name.as_str() {
                 offline::WORKER => "once drawn",
-                name if name.ends_with(wasm::REST) => "once drawn",
+                name if name.ends_with(wasm::WHOLE) => "once drawn",
                 single::FILE => "instead of all",
                 _ => "on demand",
             };

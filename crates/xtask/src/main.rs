@@ -2,12 +2,13 @@
 
 mod bench;
 mod constants;
+mod cutting;
 mod dist;
 mod html;
 mod library;
+mod names;
 mod offline;
 mod page;
-mod parting;
 mod process;
 mod project;
 mod serve;

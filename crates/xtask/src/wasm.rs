@@ -1,5 +1,5 @@
 //! The machine room of the page: Rust to wasm, its JavaScript glue, and the optimiser, into `web/pkg/`. There are two modules: what
-//! every visit loads, in two parts, and what is loaded when somebody wants a file.
+//! every visit loads, once cut down to what the first picture runs and once whole, and what is loaded when somebody wants a file.
 
 use std::{
     collections::HashSet,
@@ -15,8 +15,7 @@ use wasm_bindgen_cli_support::Bindgen;
 
 use crate::{
     constants::{self, Constants},
-    library,
-    parting::{self, Parts},
+    cutting, library, names,
     process::{self, run, told},
     project,
     setup::{self, WASM, WasmCompiler},
@@ -59,20 +58,14 @@ const PAGE: &str = "levalab-wasm";
 /// Its file, whole.
 pub const WHOLE: &str = "levalab_wasm_bg.wasm";
 
-/// The file of its first part, which is what the first picture needs.
+/// The file of what the first picture runs of it.
 pub const FIRST: &str = "levalab_first.wasm";
-
-/// The file of all else.
-pub const REST: &str = "levalab_rest.wasm";
-
-/// A module with nothing in it: the rest, where the first part is the whole.
-const EMPTY: [u8; 8] = *b"\0asm\x01\0\0\0";
 
 /// The module whose libraries write numbers by their `Debug` form, which must not be taken from them.
 const EXPORTS: &str = "levalab-export-wasm";
 
 /// Part of the stamp: raise it when the steps below change what they write.
-const RECIPE: &str = "5";
+const RECIPE: &str = "6";
 
 /// What makes the module smaller when the standard library is built from source with it: a panic stops at once instead of
 /// making a sentence that nobody reads, and carries neither places nor the `Debug` forms of values.
@@ -151,7 +144,7 @@ fn compile_with(name: &str, compiler: &WasmCompiler, build: Build, small: bool) 
         .arg("--target-dir")
         .arg(&target)
         .args(SMALL_ARGUMENTS.iter().filter(|_| small))
-        .env("CARGO_ENCODED_RUSTFLAGS", flags(small, parted(name, build)));
+        .env("CARGO_ENCODED_RUSTFLAGS", flags(small, cut_down(name, build)));
     told(&format!("compiling {name} for the page"), || run(&mut command))?;
     Ok(target.join(WASM).join(build.profile()).join(file_stem(name) + ".wasm"))
 }
@@ -189,16 +182,16 @@ fn debian_cargo(task: &str, linker: &Path) -> Command {
     command
 }
 
-/// True for a module that is shipped in two parts.
-fn parted(name: &str, build: Build) -> bool {
+/// True for a module of which the page first loads what the first picture runs.
+fn cut_down(name: &str, build: Build) -> bool {
     name == PAGE && build == Build::Shipped
 }
 
 /// Compiler flags that keep this machine's folders out of the shipped file, and those that make it small.
-fn flags(small: bool, parted: bool) -> OsString {
+fn flags(small: bool, listed: bool) -> OsString {
     let sources = dependency_folders().into_iter().chain([project::root().to_path_buf()]);
     let mut flags: Vec<OsString> = SMALL_FLAGS.iter().filter(|_| small).map(OsString::from).collect();
-    flags.extend(constants::FLAGS.iter().filter(|_| parted).map(OsString::from));
+    flags.extend(constants::FLAGS.iter().filter(|_| listed).map(OsString::from));
     for folder in sources {
         let mut flag = OsString::from("--remap-path-prefix=");
         flag.push(folder);
@@ -225,7 +218,7 @@ fn stamp(module: &Path, build: Build) -> Result<String> {
     let bytes = fs::read(module).with_context(|| module.display().to_string())?;
     let mut checksum = flate2::Crc::new();
     checksum.update(&bytes);
-    // Where the module is parted.
+    // What is cut out of it.
     checksum.update(include_bytes!("first-picture.js"));
     Ok(format!("{RECIPE} {} {} {:08x}", build.profile(), bytes.len(), checksum.sum()))
 }
@@ -237,16 +230,20 @@ fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
         fs::remove_dir_all(&fresh).context("target/pkg")?;
     }
     let linked = fs::read(module).with_context(|| module.display().to_string())?;
-    let constants = parted(name, build).then(|| Constants::of(&linked)).transpose()?;
+    let constants = cut_down(name, build).then(|| Constants::of(&linked)).transpose()?;
     let stem = file_stem(name);
-    write_glue(&stem, if constants.is_some() { constants::without_lists(&linked)? } else { linked }, &fresh)?;
+    let named = constants.is_some();
+    write_glue(&stem, if named { constants::without_lists(&linked)? } else { linked }, named, &fresh)?;
     let glue = fresh.join(format!("{stem}.js"));
     let module = fresh.join(format!("{stem}_bg.wasm"));
     if build == Build::Shipped {
-        optimise(&module)?;
+        let (short, renamed) = names::shorten(&fs::read_to_string(&glue)?, &fs::read(&module)?)?;
+        fs::write(&glue, short)?;
+        fs::write(&module, renamed)?;
+        optimise(&module, named)?;
     }
     if name == PAGE {
-        part(&glue, &module, constants.as_ref())?;
+        cut(&glue, &module, constants.as_ref())?;
     }
     let package = package();
     fs::create_dir_all(&package).context("web/pkg")?;
@@ -258,29 +255,25 @@ fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
     Ok(())
 }
 
-/// Parts a module whose constants are told apart; else its first part is the whole, and the rest is empty.
-fn part(glue: &Path, module: &Path, constants: Option<&Constants>) -> Result<()> {
-    let whole = fs::read(module)?;
-    let parts = match constants {
-        None => Parts { first: whole, rest: EMPTY.into() },
-        Some(constants) => parting::part(&whole, &entered(glue, &whole)?, constants)?,
+/// Writes what the first picture needs of a module; of one whose constants are not told apart, that is all.
+fn cut(glue: &Path, module: &Path, constants: Option<&Constants>) -> Result<()> {
+    let first = module.with_file_name(FIRST);
+    let Some(constants) = constants else {
+        fs::copy(module, first)?;
+        return Ok(());
     };
-    for (file, bytes) in [(FIRST, parts.first), (REST, parts.rest)] {
-        let place = module.with_file_name(file);
-        fs::write(&place, bytes)?;
-        if constants.is_some() {
-            optimise(&place)?;
-        }
-    }
-    Ok(())
+    let whole = fs::read(module)?;
+    fs::write(module, cutting::joined(&whole)?)?;
+    fs::write(&first, cutting::first(&whole, &entered(glue, &whole)?, constants)?)?;
+    optimise(&first, false)
 }
 
-/// The numbers of the functions that the first picture enters.
+/// The numbers of the stretches of code that the first picture enters.
 fn entered(glue: &Path, whole: &[u8]) -> Result<HashSet<usize>> {
     let watched = glue.with_extension("watched");
     // Node takes it for a module by its ending alone.
     let script = glue.with_extension("mjs");
-    fs::write(&watched, parting::watched(whole)?)?;
+    fs::write(&watched, cutting::watched(whole)?)?;
     fs::copy(glue, &script)?;
     let mut picture = process::node([Path::new("crates/xtask/src/first-picture.js"), &script, &watched]);
     let output = picture.stderr(Stdio::inherit()).output().context("node did not start")?;
@@ -290,16 +283,18 @@ fn entered(glue: &Path, whole: &[u8]) -> Result<HashSet<usize>> {
     serde_json::from_slice(&output.stdout).context("first-picture.js printed no JSON")
 }
 
-fn write_glue(stem: &str, module: Vec<u8>, folder: &Path) -> Result<()> {
+fn write_glue(stem: &str, module: Vec<u8>, named: bool, folder: &Path) -> Result<()> {
     let mut bindgen = Bindgen::new();
     bindgen.input_bytes(stem, module).web(true)?.typescript(true).omit_default_module_path(false);
-    bindgen.remove_name_section(true).remove_producers_section(true);
+    bindgen.remove_name_section(!named).remove_producers_section(true);
     bindgen.generate(folder).context("wasm-bindgen")
 }
 
-fn optimise(module: &Path) -> Result<()> {
+/// Optimises a file in its place; `named` functions keep their names.
+fn optimise(module: &Path, named: bool) -> Result<()> {
     let mut command = process::node([project::npm_tool("binaryen/bin/wasm-opt")]);
     command.arg("-Oz").args(FEATURES).args(["--strip-producers", "--strip-target-features"]);
+    command.args(["--debuginfo"].iter().filter(|_| named));
     command.arg(module).arg("-o").arg(module);
     run(&mut command)
 }

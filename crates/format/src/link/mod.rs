@@ -25,7 +25,7 @@ pub use codes::{FOLLOWER_CODES, LAW_CODES};
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::measure::default_of;
 use crate::{BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Speed, SpeedUnit};
-use crc::{CRC_32_ISO_HDLC, Crc};
+use crc::{CRC_32_ISO_HDLC, Crc, NoTable};
 use levalab_core::{Generator, Parameter, Rotation};
 
 /// The version of the link, its first field.
@@ -114,8 +114,8 @@ fn is_of_a_link(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.')
 }
 
-/// The checksum of Ethernet, zip and PNG, with the small table: a link is short.
-const CRC_32: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
+/// The checksum of Ethernet, zip and PNG, bit by bit: a link is short, and a table would be a kilobyte of the page's first load.
+const CRC_32: Crc<u32, NoTable> = Crc::<u32, NoTable>::new(&CRC_32_ISO_HDLC);
 
 /// CRC-32 of the text in six digits of base 62.
 fn checksum(text: &str) -> String {

@@ -160,7 +160,7 @@ Desde la segunda visita la página funciona sin red, y los navegadores ofrecen i
 - *SVG* and *PNG* are the cam to scale, or a diagram.",
             "{export.title} está en {header.files}. Lo que escribe los archivos se carga la primera vez que se pide; en la página de un solo archivo, {export.save} queda para la línea de órdenes.
 
-- *XLSX* y *CSV* contienen el diseño, el movimiento por ángulo y por tiempo, el perfil en coordenadas polares y cartesianas, la curva de paso, el veredicto y, si la hay, la aplicación; usted elige el paso del ángulo. Los números son números, con el signo decimal de las hojas de cálculo del idioma.
+- *XLSX* y *CSV* contienen el diseño, el movimiento por ángulo y por tiempo, el perfil en coordenadas polares y cartesianas, la curva de paso, el veredicto y, si la hay, la aplicación; usted elige el paso del ángulo. Cada número llega como número, con el signo decimal de las hojas de cálculo del idioma.
 - *DXF* contiene el perfil, la curva de paso y las circunferencias base y primaria, cada una en su capa, para CAD.
 - *STL* es un sólido para imprimir o fresar, con espesor, agujero y chavetero.
 - *SVG* y *PNG* son la leva a escala, o un diagrama.",
