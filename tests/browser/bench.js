@@ -1,4 +1,5 @@
 // The page's speed, beside its goals: `cargo xtask bench --page`. Timings swing from run to run, so nothing fails here.
+import { readFile } from "node:fs/promises";
 import os from "node:os";
 import path from "node:path";
 import { drawn, launchBrowser, root, startDist } from "./browser.js";
@@ -11,6 +12,20 @@ const MEGABIT = 1e6 / 8;
 
 /** A slow mobile network and a cheap phone. */
 const THROTTLED = { latency: 150, downloadThroughput: 1.6 * MEGABIT, uploadThroughput: 0.75 * MEGABIT, offline: false, cpu: 4 };
+
+/** Designs whose edits take more than those of the page's first one. */
+const HARDER = {
+  "a conjugate pair (7CRT)": await example("7CRT"),
+  "a pair of flat faces (8DA)": await example("8DA"),
+  "a polynomial through twelve conditions": riseBy({
+    law: "polynomial",
+    conditions: [
+      ...[0, 180].flatMap((at) => [0, 1, 2, 3].map((order) => ({ at, order, value: at > 0 && order === 0 ? 20 : 0 }))),
+      ...[[45, 2.5], [75, 7.2], [105, 13.1], [140, 18.3]].map(([at, value]) => ({ at, order: 0, value })),
+    ],
+  }),
+  "a table of sixty points": riseBy({ law: "table", points: Array.from({ length: 60 }, (_, i) => [(180 * i) / 59, 10 * (1 - Math.cos((Math.PI * i) / 59))]) }),
+};
 
 const site = await startDist({
   "/reference/": path.join(root, "tests/browser/reference"),
@@ -25,8 +40,9 @@ const table = [];
 try {
   await measureLoading();
   await measureAnimation();
-  await measureEdits(1);
-  await measureEdits(THROTTLED.cpu);
+  await measureEdits();
+  await measureEdits({ cpu: THROTTLED.cpu });
+  for (const [of, design] of Object.entries(HARDER)) await measureEdits({ of, design });
   await measureMemory();
   await measureReference();
 } finally {
@@ -65,9 +81,12 @@ async function measureAnimation() {
   await close();
 }
 
-/** The label of a number dragged to and fro. @param {number} cpu how many times slower */
-async function measureEdits(cpu) {
-  const { page, close } = await open();
+/**
+ * The label of a number dragged to and fro.
+ * @param {{ cpu?: number, of?: string, design?: object }} [options]  how many times slower; another design than the page's first, and what it is
+ */
+async function measureEdits({ cpu = 1, of = "", design } = {}) {
+  const { page, close } = await open(undefined, (page) => page.addInitScript(remember, design));
   await pause(page);
   const devtools = await page.context().newCDPSession(page);
   await devtools.send("Emulation.setCPUThrottlingRate", { rate: cpu });
@@ -84,12 +103,32 @@ async function measureEdits(cpu) {
   for (let step = 0; performance.now() < end; step++) await page.mouse.move(x + 60 + 50 * Math.sin(step / 20), y);
   const { script, frames } = await observed(page);
   await page.mouse.up();
-  const suffix = cpu > 1 ? `, CPU ${cpu}×` : "";
+  const suffix = [of && `, ${of}`, cpu > 1 ? `, CPU ${cpu}×` : ""].join("");
   table.push([`edit → everything redrawn, script, median${suffix}`, milliseconds(median(script)), cpu > 1 ? "" : "≤ 2 ms"]);
   table.push([`edit → everything redrawn, script, p95${suffix}`, milliseconds(p95(script)), cpu > 1 ? "" : "≤ 4 ms"]);
   const late = frames.filter((time) => time > 20).length;
   table.push([`frames > 20 ms of ${frames.length} in a ${SECONDS} s drag${suffix}`, String(late), cpu > 1 ? "" : "0"]);
   await close();
+}
+
+/** What the page remembers of an earlier visit. @param {object | undefined} design */
+function remember(design) {
+  if (design) localStorage.setItem("levalab:design", JSON.stringify(design));
+}
+
+/** @param {string} id */
+async function example(id) {
+  return JSON.parse(await readFile(path.join(root, `examples/${id}.lev.json`), "utf8"));
+}
+
+/** A cam that rises by 20 mm in half a turn. @param {object} law */
+function riseBy(law) {
+  return {
+    format: "levalab/1", title: "", length_unit: "mm", speed: { value: 1, unit: "rad/s" },
+    cam: { kind: "rotating", rotation: "counterclockwise", base_radius: 60 },
+    follower: { motion: "translating", contact: "roller", roller_radius: 8, eccentricity: 0 },
+    segments: [{ beta: 180, ...law }, { law: "polynomial-4-5-6-7", beta: 140, rise: -20 }, { law: "dwell", beta: 40 }],
+  };
 }
 
 /** Many edits, each an undo step, then what is left after collecting the garbage. */
