@@ -13,8 +13,8 @@ export const LAYERS = Object.freeze({ base: true, prime: true, pitch: true, axes
 
 /** A circle larger than this on screen is drawn as the straight line it looks like. */
 const STRAIGHT = 6000;
-/** Half of what stem and spring take of the picture, as a share of the cam's reach. */
-const STEM = 0.1;
+/** Half of what guide, stem and spring take of the picture at most, as a share of the cam's reach. */
+const STEM = 0.17;
 /** Between a line and its label, CSS pixels. */
 const GAP = 9;
 /** A normal that leans less than this stands upright. */
