@@ -6,12 +6,13 @@
  * @import { Row } from "./stage/overlay.js"
  * @import { ShellContext } from "./types.d.ts"
  */
+import { clean } from "./clean.js";
 import { h, s } from "./dom.js";
 import { dress } from "./free-sheet.js";
 import { marksOf } from "./marks.js";
 import { heightStep } from "./number-field.js";
 import { stepped, valueAt } from "./hand.js";
-import { factor, tidy } from "./scrub.js";
+import { factor } from "./scrub.js";
 import { atTheta, atValue } from "./stage/overlay.js";
 
 /** Steps of a drag over the height of the diagram. */
@@ -100,7 +101,7 @@ export function createMarks(plots, context) {
       if (!way || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
       event.stopPropagation();
-      put(handle, tidy(handle.mark.height + way * heightStep(store.state.design) * factor(event)), `ordinate:${handle.mark.segment}.${handle.mark.item}`);
+      put(handle, clean(handle.mark.height + way * heightStep(store.state.design) * factor(event)), `ordinate:${handle.mark.segment}.${handle.mark.item}`);
     });
     button.addEventListener("blur", () => store.endGesture());
     button.addEventListener("focus", () => store.set({ highlight: { segment: handle.mark.segment } }));

@@ -4,9 +4,10 @@
  * @import { Design, ShellContext, State } from "./types.d.ts"
  * @import { NumberProblem } from "./numbers.js"
  */
+import { clean } from "./clean.js";
 import { h } from "./dom.js";
 import { CUT, fieldText, parseNumber, restingText } from "./numbers.js";
-import { factor, scrub, tidy } from "./scrub.js";
+import { factor, scrub } from "./scrub.js";
 
 let sessions = 0;
 
@@ -123,8 +124,8 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
       if (value === undefined) return;
       const by = step(store.state.design) * factor(event) * (event.key === "ArrowUp" ? 1 : -1);
       pending = null;
-      change(tidy(value + by), session);
-      show(tidy(value + by));
+      change(clean(value + by), session);
+      show(clean(value + by));
       update(store.state);
     } else if (event.key === "Escape" && (pending || current() !== before)) {
       event.preventDefault();

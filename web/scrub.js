@@ -1,4 +1,5 @@
 /** Dragging a label sideways changes its number. */
+import { clean } from "./clean.js";
 
 /** Pixels of drag a step; less than `SLACK` is a click. */
 const PIXELS = 4;
@@ -33,7 +34,7 @@ export function scrub(handle, { value, step, change, cancel, end }) {
       steps += ((event.clientX - last) / PIXELS) * factor(event);
       last = event.clientX;
       const unit = step() * Math.min(1, factor(event));
-      change(tidy(start + Math.round((steps * step()) / unit) * unit), gesture);
+      change(clean(start + Math.round((steps * step()) / unit) * unit), gesture);
     }
 
     /** @param {KeyboardEvent} event */
@@ -66,12 +67,4 @@ export function scrub(handle, { value, step, change, cancel, end }) {
  */
 export function factor({ shiftKey, altKey }) {
   return shiftKey ? 10 : altKey ? 0.1 : 1;
-}
-
-/**
- * Steps of decimals without the noise of their sum.
- * @param {number} value
- */
-export function tidy(value) {
-  return Number(value.toPrecision(12));
 }
