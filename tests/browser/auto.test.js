@@ -223,4 +223,9 @@ test("it speaks the language of the page, and stays away from cams that it does 
   await page.getByRole("button", { name: es("segments.auto"), exact: true }).click();
   await eventually(() => page.getByRole("dialog").getByRole("listitem").first().innerText(), (text) => assert.match(text, /trapezoidal modificada/));
   await page.getByRole("button", { name: es("auto.close"), exact: true }).click();
+  const auto = page.getByRole("button", { name: es("segments.auto"), exact: true, includeHidden: true });
+  for (const [kind, hidden] of /** @type {const} */ ([["translating", true], ["constant-breadth", true], ["grooved", false]])) {
+    await page.locator("#field-kind").selectOption(kind);
+    await becomes(() => auto.isHidden(), hidden);
+  }
 });
