@@ -176,6 +176,7 @@ fn dotted(letter: &str) -> Option<(&str, &'static str)> {
         "ÿ" => return Some(("y", "ddot")),
         "ḋ" => return Some(("d", "dot")),
         "ṡ" => return Some(("s", "dot")),
+        "Ṡ" => return Some(("S", "dot")),
         _ => {}
     }
     let marks = [('\u{307}', "dot"), ('\u{308}', "ddot"), ('\u{20db}', "dddot")];
@@ -215,23 +216,60 @@ fn words(text: &str) -> String {
     if text == "°" {
         return "^\\circ".to_owned();
     }
-    let mut inner = String::new();
-    for c in text.chars() {
-        match c {
-            ' ' => inner += "\\ ",
-            '°' => inner += "^\\circ",
-            '²' => inner += "^2",
-            '³' => inner += "^3",
-            other => inner += plain(other).trim_matches('$'),
-        }
-    }
-    format!("\\mathrm{{{inner}}}")
+    format!(
+        "\\mathrm{{{}}}",
+        spelled(
+            text,
+            &|c| match c {
+                ' ' => "\\ ".to_owned(),
+                other => plain(other).trim_matches('$').to_owned(),
+            },
+            &str::to_owned
+        )
+    )
 }
 
 /// Running text, in which nothing means anything to LaTeX.
 #[must_use]
 pub fn latex_text(text: &str) -> String {
-    text.chars().map(plain).collect()
+    spelled(text, &plain, &|formula| format!("${formula}$"))
+}
+
+/// A text character by character, but for what several make together: raised and lowered figures, and letters under marks.
+fn spelled(text: &str, character: &dyn Fn(char) -> String, formula: &dyn Fn(&str) -> String) -> String {
+    let mut written = String::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let (length, latex) = match script(rest).or_else(|| marked(rest)) {
+            Some((length, latex)) => (length, formula(&latex)),
+            None => (first.len_utf8(), character(first)),
+        };
+        written += &latex;
+        rest = &rest[length..];
+    }
+    written
+}
+
+/// The raised or lowered figures that a text begins with: how long they are, and what they are in LaTeX.
+fn script(text: &str) -> Option<(usize, String)> {
+    [('^', "⁰¹²³⁴⁵⁶⁷⁸⁹⁻"), ('_', "₀₁₂₃₄₅₆₇₈₉")].into_iter().find_map(|(command, figures)| {
+        let plain = |c| "0123456789-".chars().nth(figures.chars().position(|figure| figure == c)?);
+        let found: String = text.chars().map_while(plain).collect();
+        let length = text.chars().take(found.len()).map(char::len_utf8).sum();
+        let group = if found.len() > 1 { format!("{{{found}}}") } else { found };
+        (!group.is_empty()).then(|| (length, format!("{command}{group}")))
+    })
+}
+
+/// The letter under dots that a text begins with.
+fn marked(text: &str) -> Option<(usize, String)> {
+    let first = text.chars().next()?.len_utf8();
+    let with_mark = first + text[first..].chars().next().map_or(0, char::len_utf8);
+    // A ÿ by itself is a letter of names too.
+    [with_mark, first].into_iter().filter(|&length| &text[..length] != "ÿ").find_map(|length| {
+        let (letter, dots) = dotted(&text[..length])?;
+        Some((length, format!("\\{dots}{{{letter}}}")))
+    })
 }
 
 /// A character of running text; letters and signs that its usual fonts lack are set as mathematics.
@@ -241,14 +279,9 @@ fn plain(c: char) -> String {
     }
     match c {
         '−' => "$-$".to_owned(),
-        '≤' | '≥' | '≠' | '≈' | '·' | '×' | '→' => format!("${}$", operator(c)),
+        '≤' | '≥' | '≠' | '≈' | '·' | '×' | '→' | '⇒' => format!("${}$", operator(c)),
         '∞' => "$\\infty$".to_owned(),
         '°' => "$^\\circ$".to_owned(),
-        '²' => "$^2$".to_owned(),
-        '³' => "$^3$".to_owned(),
-        '⁻' => "$^-$".to_owned(),
-        '₀' => "$_0$".to_owned(),
-        '₂' => "$_2$".to_owned(),
         '\u{a0}' => "~".to_owned(),
         '\u{202f}' => "\\,".to_owned(),
         '#' | '$' | '%' | '&' | '_' | '{' | '}' => format!("\\{c}"),
@@ -286,8 +319,21 @@ mod tests {
     }
 
     #[test]
+    fn running_text_has_only_what_every_latex_sets() {
+        for (text, expected) in [
+            ("−4.7·10⁻⁵ mm at φ = 2°", "$-$4.7$\\cdot$10$^{-5}$ mm at $\\varphi$ = 2$^\\circ$"),
+            ("mm/rad²", "mm/rad$^2$"),
+            ("from Ṡ to d̈ and y⃛", "from $\\dot{S}$ to $\\ddot{d}$ and $\\dddot{y}$"),
+            ("ξ₀ & 50 %", "$\\xi$$_0$ \\& 50 \\%"),
+        ] {
+            assert_eq!(latex_text(text), expected);
+        }
+    }
+
+    #[test]
     fn dots_are_commands() {
-        for (name, expected) in [("ẏ", "\\dot{y}"), ("d̈", "\\ddot{d}"), ("y⃛", "\\dddot{y}")] {
+        for (name, expected) in [("ẏ", "\\dot{y}"), ("Ṡ", "\\dot{S}"), ("d̈", "\\ddot{d}"), ("y⃛", "\\dddot{y}")]
+        {
             assert_eq!(latex(&Formula::Symbol(name.into()), Language::En), expected);
         }
     }
