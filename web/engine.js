@@ -44,8 +44,8 @@ export async function startEngine({ language, restarted, completed }) {
   const first = compileFirst();
   /** Asked for once; again when it did not come. @type {Promise<WebAssembly.Module> | null} */
   let rest = null;
-  /** True when the whole is at work. */
-  let whole = false;
+  /** True when the whole is at work: in the page of one file, from the start. */
+  let whole = compileFirst === compileWhole;
   /** @type {Promise<void> | null} */
   let completing = null;
   let generation = 0;
