@@ -58,6 +58,7 @@ td .compare-line:only-child { color: inherit; }
 .compare-laws .thumbnail .zero { stroke: var(--grid); stroke-width: 1; }
 button[data-count]::after { content: attr(data-count) / ""; margin-inline-start: 0.4em; padding: 0 0.45em; border-radius: 1em; background: var(--accent); color: var(--on-accent); font-size: var(--size-small); }
 @media screen and (max-width: 720px) {
+  .compare-name > .compare-current { display: block; inline-size: fit-content; margin-block-end: var(--space-1); }
   #compare { inline-size: 100vw; max-block-size: 100dvh; block-size: 100dvh; margin: 0; padding: var(--space-3); border: 0; border-radius: 0; }
   .compare-name input[type="text"] { inline-size: 8em; field-sizing: fixed; }
   .compare-table .compare-name { max-inline-size: 62vw; white-space: normal; }
