@@ -38,7 +38,7 @@ const RESTART_WINDOW = 10_000;
  * @param {object} options
  * @param {() => Language} options.language
  * @param {(hopeless: boolean) => void} options.restarted  told after a panic, when the engine works again or never will
- * @param {() => void} options.completed  told when the whole came after it had been missed
+ * @param {() => void} options.completed  told when the whole has taken over: what was taken from the first part is to be asked for again
  */
 export async function startEngine({ language, restarted, completed }) {
   const first = compileFirst();
@@ -92,8 +92,10 @@ export async function startEngine({ language, restarted, completed }) {
     completing ??= (async () => {
       try {
         const compiled = await remainder();
-        if (!whole) await goOn(compiled);
+        if (whole) return;
+        await goOn(compiled);
         whole = true;
+        if (!restarting) completed();
       } finally {
         completing = null;
       }

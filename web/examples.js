@@ -6,7 +6,7 @@
  */
 import { h, s } from "./dom.js";
 import * as library from "./pkg/examples.js";
-import { named, shelve } from "./shelf.js";
+import { shelve } from "./shelf.js";
 import { addStrings } from "./strings/index.js";
 import { examplesEn } from "./strings/examples.en.js";
 import { examplesEs } from "./strings/examples.es.js";
@@ -77,8 +77,7 @@ export function createGallery(context, check) {
     banner.hide();
     const found = check(example.design).design;
     if (!found) return;
-    const design = example.group === "more" ? { ...found, title: nameOf(example) } : named(found, t);
-    shelve(design);
+    const design = shelve(found, t, example.group === "more" ? `examples.name.${example.id}` : "");
     store.replace(design, t("edit.example", { name: nameOf(example) }));
     store.set({ cursor: 0 });
   }

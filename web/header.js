@@ -118,7 +118,7 @@ function createExamples(context, texts, check) {
   /** @type {Promise<() => void> | undefined} */
   let gallery;
   button.addEventListener("click", async () => {
-    gallery ??= import("./examples.js").then(({ createGallery }) => createGallery(context, check));
+    gallery ??= Promise.all([import("./examples.js"), context.whole()]).then(([{ createGallery }]) => createGallery(context, check));
     (await gallery)();
   });
   return button;

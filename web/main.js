@@ -15,7 +15,7 @@ import { firstDesign, keepLink } from "./link.js";
 import * as mechanism from "./mechanism.js";
 import { createFormat } from "./numbers.js";
 import * as readouts from "./readouts.js";
-import { named, shelve } from "./shelf.js";
+import { retitled, shelve } from "./shelf.js";
 import { say, speakIn } from "./signs.js";
 import { store } from "./store.js";
 import { createTranslate, learn } from "./strings/index.js";
@@ -41,8 +41,7 @@ start().catch((error) => {
 
 async function start() {
   const [engine] = await Promise.all([startEngine({ language, restarted, completed }), learn(language())]);
-  const example = named(catalogue.first, t);
-  shelve(example);
+  const example = shelve(catalogue.first, t);
 
   store.connect({
     analyse(design) {
@@ -88,7 +87,7 @@ async function start() {
   store.set({ playing: !matchMedia("(prefers-reduced-motion: reduce)").matches });
   store.subscribe(["language"], () => {
     banner.refresh();
-    store.reanalyse();
+    store.reanalyse(retitled(store.state.design, t));
   });
   started = true;
   store.drawNow();
@@ -97,7 +96,7 @@ async function start() {
   idle(() => void import("./afterwards.js").then(({ begin }) => begin(context, engine)).catch(console.error));
 }
 
-/** The whole calculation came when it had been missed: what could not be drawn without it is drawn now. */
+/** The whole calculation has come: what could not be drawn without it is drawn now, and nothing asks the first part any more. */
 function completed() {
   if (started) store.reanalyse();
 }

@@ -1,23 +1,33 @@
 /**
- * Designs that the page brings along: what is only looked at is not work to be kept.
+ * Designs that the page brings along: what is only looked at is not work to be kept, and goes by a name in the language on screen.
  *
- * @import { Design } from "./types.d.ts"
+ * @import { Design, Translate } from "./types.d.ts"
  */
 
-/** @type {Set<string>} */
-const shelf = new Set();
+/** What each was brought along as, and its name where that is a word: by what it is on screen. @type {Map<string, { design: Design, name: string }>} */
+const shelf = new Map();
 
-/** @param {Design} design */
-export function shelve(design) {
-  shelf.add(JSON.stringify(design));
+/**
+ * The design as it is put on screen.
+ * @param {Design} design
+ * @param {Translate} t
+ * @param {string} [name]  key of its title; without one, its own says that it is an example
+ */
+export function shelve(design, t, name = "") {
+  const shown = { ...design, title: name ? t(name) : design.title?.replace(/^Example\b/, t("app.example")) };
+  shelf.set(JSON.stringify(shown), { design, name });
+  return shown;
 }
 
 /**
- * A design that the page brings along, by its name in the language on screen.
+ * A design by its title in the language on screen, as long as it is just what was brought along.
  * @param {Design} design
- * @param {import("./types.d.ts").Translate} t
+ * @param {Translate} t
  */
-export const named = (design, t) => ({ ...design, title: design.title?.replace(/^Example\b/, t("app.example")) });
+export function retitled(design, t) {
+  const known = shelf.get(JSON.stringify(design));
+  return known ? shelve(known.design, t, known.name) : design;
+}
 
 /** @param {string} text  a design as JSON */
 export const isShelved = (text) => shelf.has(text);

@@ -169,8 +169,8 @@ export function createStore() {
       return state.error === null;
     },
 
-    reanalyse() {
-      adopt(state.design);
+    reanalyse(design = state.design) {
+      adopt(design);
     },
 
     touch(key) {

@@ -502,7 +502,8 @@ export interface Keeper {
   /** Opens the first design of all, without an undo step; false when it is no good. */
   start(design: Design): boolean;
   /** The same design again: after a change of language, or on a fresh engine. */
-  reanalyse(): void;
+  /** Analyses the design on screen afresh, or one that is the same by another name. */
+  reanalyse(design?: Design): void;
   /** The design that `state.report` is about. */
   lastGood(): Design;
   /** Another number for each design that was opened; undo goes back to the one before. */

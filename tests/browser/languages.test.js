@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drawn } from "./browser.js";
-import { LINKS, baseRadiusCure, becomes, beta, diagram, en, es, eventually, field, findings, fragment, frames, literal, mechanism, openStill, readout, setCursor, verdict } from "./user.js";
+import { LINKS, baseRadiusCure, becomes, beta, diagram, en, es, eventually, field, findings, fragment, frames, literal, mechanism, openExample, openStill, readout, setCursor, undo, verdict } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -182,4 +182,21 @@ test("what the page brings along is named in its language: the first cam and the
     await page.locator(`[data-example="${id}"]`).click();
     await becomes(() => title.inputValue(), name ?? "");
   }
+});
+
+test("what the page brought along follows the language until it is changed", async (t) => {
+  const { page } = await openStill(t, { locale: "es-ES" });
+  const title = page.getByRole("textbox").first();
+  await switchTo(page, "en");
+  await becomes(() => title.inputValue(), "Example 9RT");
+  await becomes(() => undo(page).isDisabled(), true);
+  await openExample(page, "WEDGE");
+  await becomes(() => title.inputValue(), "Wedge");
+  await switchTo(page, "es");
+  await becomes(() => title.inputValue(), "Cuña");
+  await field(page, "roller_radius").fill("9");
+  await becomes(() => undo(page).isEnabled(), true);
+  await switchTo(page, "en");
+  await becomes(() => field(page, "roller_radius").inputValue(), "9");
+  assert.equal(await title.inputValue(), "Cuña");
 });

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drawn } from "./browser.js";
 import { openPage } from "./harness.js";
-import { becomes, cursor, en, eventually, field, fragment, law, level, verdict } from "./user.js";
+import { becomes, cursor, en, eventually, field, fragment, law, level, mechanism, picture, verdict } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -113,4 +113,18 @@ test("an edit for which the whole module is missing says so, and is done when th
   await verdict(page).getByText(en("banner.arriving")).waitFor({ state: "hidden" });
   await becomes(() => level(page), "unacceptable");
   await becomes(() => law(page, 1).inputValue(), "double-harmonic");
+});
+
+test("the whole module takes over what the first picture was drawn with", async (t) => {
+  const { page, url } = await openPage(t, { ready: false });
+  const whole = await withhold(page);
+  await page.goto("about:blank");
+  await page.goto(url);
+  await drawn(page);
+  whole.release();
+  await eventually(() => page.locator("#verdict .cures button").count(), (count) => assert(count > 0, "no cure is offered"));
+  await page.locator(".stage-layers summary").click();
+  await page.getByRole("checkbox", { name: en("stage.layer.stations") }).check();
+  const before = await picture(mechanism(page));
+  await eventually(() => picture(mechanism(page)), (now) => assert.notDeepEqual(now, before, "the cam stands still"));
 });
