@@ -51,8 +51,17 @@ pub fn watched(module: &[u8]) -> Result<Vec<u8>> {
 pub fn first(module: &[u8], entered: &HashSet<usize>, constants: &Constants) -> Result<Vec<u8>> {
     ensure!(!entered.is_empty(), "the first picture entered nothing");
     let mut module = parsed(module)?;
+    cut(&mut module, entered)?;
+    gc::run(&mut module);
+    let unread = constants.unread(&module, &own_functions(&module));
+    keep_constants(&mut module, |place| between(place, &unread))?;
+    Ok(module.emit_wasm())
+}
+
+/// Cuts out every stretch that was not entered.
+fn cut(module: &mut Module, entered: &HashSet<usize>) -> Result<()> {
     let (mut number, mut left_whole) = (0, 0);
-    for id in own_functions(&module) {
+    for id in own_functions(module) {
         let function = module.funcs.get_mut(id);
         let whole = function.name.as_ref().is_some_and(|name| WHOLE.iter().any(|part| name.contains(part)));
         left_whole += usize::from(whole);
@@ -66,10 +75,7 @@ pub fn first(module: &[u8], entered: &HashSet<usize>, constants: &Constants) -> 
         }
     }
     ensure!(left_whole > 0, "the functions have no names, or nothing reserves memory");
-    gc::run(&mut module);
-    let unread = constants.unread(&module, &own_functions(&module));
-    keep_constants(&mut module, |place| between(place, &unread))?;
-    Ok(module.emit_wasm())
+    Ok(())
 }
 
 /// The module with all its constants in one segment, as they were before they were told apart.
@@ -123,6 +129,7 @@ fn length(function: &LocalFunction, sequence: InstrSeqId, place: usize) -> usize
         .map(|(one, _)| 1 + within(one).into_iter().map(|inner| length(function, inner, 0)).sum::<usize>())
         .sum()
 }
+
 /// Makes new segments of constants out of all: one for each stretch of memory that `kept` names among all that they take up.
 fn keep_constants(module: &mut Module, kept: impl Fn(Range<u32>) -> Vec<Range<u32>>) -> Result<()> {
     let segments: Vec<_> = module.data.iter().map(Data::id).collect();
@@ -172,7 +179,47 @@ fn own_functions(module: &Module) -> Vec<FunctionId> {
 }
 #[cfg(test)]
 mod tests {
+    use walrus::{FunctionBuilder, InstrSeqBuilder};
+
     use super::*;
+
+    /// How many instructions are left of a function that takes one of two ways and then leaves or goes on, when it came through some of its
+    /// stretches: 0 at the beginning, 1 behind the fork, 2 where it goes on, 3 and 4 the ways, of one step and of four. With those of one
+    /// that finds memory.
+    fn left(entered: &[usize]) -> Result<[usize; 2]> {
+        let mut module = Module::default();
+        let steps = |body: &mut InstrSeqBuilder, count: i32| (0..count).for_each(|n| _ = body.i32_const(n).drop());
+        let mut forked = FunctionBuilder::new(&mut module.types, &[ValType::I32], &[]);
+        let which = module.locals.add(ValType::I32);
+        let mut body = forked.func_body();
+        let whole = body.id();
+        body.local_get(which).if_else(None, |way| steps(way, 4), |way| steps(way, 1));
+        body.local_get(which).br_if(whole);
+        steps(&mut body, 3);
+        let forked = forked.finish(vec![which], &mut module.funcs);
+        let mut memory = FunctionBuilder::new(&mut module.types, &[], &[]);
+        memory.name("dlmalloc::malloc".to_owned());
+        steps(&mut memory.func_body(), 5);
+        let memory = memory.finish(Vec::new(), &mut module.funcs);
+        cut(&mut module, &entered.iter().copied().collect())?;
+        Ok([forked, memory].map(|id| {
+            let function = module.funcs.get(id).kind.unwrap_local();
+            length(function, function.entry_block(), 0)
+        }))
+    }
+
+    #[test]
+    fn what_was_not_entered_is_cut_out_when_that_is_shorter() -> Result<()> {
+        let [all, memory] = left(&[0, 1, 2, 3, 4, 5])?;
+        assert_eq!((all, memory), (2 + 2 + 8 + 2 + 6, 10));
+        // What is cut out leaves one instruction, which stops.
+        assert_eq!(left(&[0, 1, 2, 3])?, [all - 8 + 1, memory]);
+        assert_eq!(left(&[0, 1, 3, 4])?, [all - 6 + 1, memory]);
+        // One step has two instructions: not worth it.
+        assert_eq!(left(&[0, 1, 2, 4])?, [all, memory]);
+        assert_eq!(left(&[])?, [1, memory]);
+        Ok(())
+    }
 
     #[test]
     fn what_is_left_of_a_range_and_its_parts_cover_it() {
