@@ -23,6 +23,8 @@ export async function keepOffline(context) {
     if (!waiting || first) return;
     showNotice(context, "offline.ready", "offline.reload", () => {
       asked = true;
+      // Should the change of the controller not be told, this tells it.
+      waiting.addEventListener("statechange", () => waiting.state === "activated" && location.reload());
       waiting.postMessage("take-over");
     });
   }

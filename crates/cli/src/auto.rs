@@ -23,6 +23,6 @@ pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
     if !options.why {
         return Ok(joined.design.to_json());
     }
-    let told = |choice| levalab_words::join_choice(language, &joined.design, choice, joined.taste) + "\n";
-    Ok(joined.choices.iter().map(told).collect())
+    let told = levalab_words::join_choices(language, &joined.design, &joined.choices, joined.taste);
+    Ok(told.into_iter().map(|sentence| sentence + "\n").collect())
 }

@@ -16,7 +16,7 @@ const STEPS: usize = 360;
 const ABOVE: f64 = 0.3;
 const BELOW: f64 = 0.04;
 
-/// A design that was joined, and a sentence for each gap.
+/// A design that was joined, and why its gaps are as they are.
 #[derive(Serialize)]
 struct PageJoined {
     design: Design,
@@ -39,8 +39,7 @@ pub fn join_requirements(wanted: &JsValue, words: &str) -> Result<JsValue, JsErr
     let language = language(words);
     object(&match joined(&plain::value(wanted)) {
         Ok(joined) => {
-            let say = |choice| levalab_words::join_choice(language, &joined.design, choice, joined.taste);
-            let choices = joined.choices.iter().map(say).collect();
+            let choices = levalab_words::join_choices(language, &joined.design, &joined.choices, joined.taste);
             Answer::Joined(Box::new(PageJoined { design: joined.design, choices }))
         }
         Err(error) => Answer::Error(speak(language, &error)),

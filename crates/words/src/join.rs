@@ -7,14 +7,40 @@ use levalab_format::Design;
 /// Others that are named beside the one chosen.
 const NAMED: usize = 3;
 
-/// What was chosen in a gap and why, with the figures that it was compared by.
+/// What was chosen in each gap and why, with the figures that it was compared by; once for gaps of which all that is the same.
 #[must_use]
-pub fn choice(language: Language, design: &Design, choice: &Choice, taste: Taste) -> String {
-    let [from, to] = [choice.from, choice.to].map(|theta| language.angle(theta.to_degrees()));
-    let spans = match language {
-        Language::En => format!("From {from} to {to}: "),
-        Language::Es => format!("De {from} a {to}: "),
-    };
+pub fn choices(language: Language, design: &Design, choices: &[Choice], taste: Taste) -> Vec<String> {
+    let mut told: Vec<(Vec<String>, String)> = Vec::new();
+    for choice in choices {
+        let [from, to] = [choice.from, choice.to].map(|theta| language.angle(theta.to_degrees()));
+        let span = match language {
+            Language::En => format!("from {from} to {to}"),
+            Language::Es => format!("de {from} a {to}"),
+        };
+        let why = reason(language, design, choice, taste);
+        match told.iter_mut().find(|(_, known)| *known == why) {
+            Some((spans, _)) => spans.push(span),
+            None => told.push((vec![span], why)),
+        }
+    }
+    let and = two(" and ", " y ").within(language);
+    told.into_iter().map(|(spans, why)| format!("{}: {why}", capitalised(&listed(&spans, and)))).collect()
+}
+
+/// `a, b and c`.
+fn listed(items: &[String], and: &str) -> String {
+    match items {
+        [before @ .., last] if !before.is_empty() => format!("{}{and}{last}", before.join(", ")),
+        _ => items.concat(),
+    }
+}
+
+/// With a capital where a sentence begins, which is a plain letter here.
+fn capitalised(text: &str) -> String {
+    text.get(..1).map_or_else(String::new, str::to_ascii_uppercase) + text.get(1..).unwrap_or_default()
+}
+
+fn reason(language: Language, design: &Design, choice: &Choice, taste: Taste) -> String {
     let units = Units::of(design);
     let peak = |tried: &Tried| {
         let value = units.travel(tried.peaks[taste.least - 1], taste.least as u8, language);
@@ -70,7 +96,7 @@ pub fn choice(language: Language, design: &Design, choice: &Choice, taste: Taste
         (1, Language::Es) => " Otra bajaría de la circunferencia base.".to_owned(),
         (count, Language::Es) => format!(" Otras {count} bajarían de la circunferencia base."),
     };
-    spans + &text + &below
+    text + &below
 }
 
 fn way(language: Language, way: Way) -> String {
@@ -137,4 +163,26 @@ pub(crate) fn problem(language: Language, problem: JoinProblem) -> String {
         ],
     };
     two(en, es).within(language).to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_alike_are_told_once() {
+        let text = r#"{"format": "levalab/1", "title": "", "speed": {"value": 1, "unit": "rad/s"}, "cam": {"kind": "rotating", "base_radius": 40},
+            "follower": {"motion": "translating", "contact": "roller", "roller_radius": 8},
+            "requirements": [{"dwell": [0, 30], "s": 0}, {"dwell": [90, 120], "s": 10}, {"dwell": [180, 200], "s": 0}, {"dwell": [300, 330], "s": 20}]}"#;
+        let joined = levalab_format::joined_from_bytes(text.as_bytes()).expect("joined");
+        let told = |language| choices(language, &joined.design, &joined.choices, joined.taste);
+        let spans = |sentences: Vec<String>| -> Vec<String> {
+            sentences.iter().filter_map(|sentence| Some(sentence.split_once(':')?.0.to_owned())).collect()
+        };
+        assert_eq!(
+            spans(told(Language::En)),
+            ["From 30° to 90° and from 120° to 180°", "From 200° to 300°", "From 330° to 360°"]
+        );
+        assert_eq!(spans(told(Language::Es))[0], "De 30° a 90° y de 120° a 180°");
+    }
 }

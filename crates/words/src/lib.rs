@@ -36,7 +36,7 @@ pub use pair::no_second;
 pub use two::{Two, capital, two};
 pub use voice::FileProblem;
 
-pub use join::choice as join_choice;
+pub use join::choices as join_choices;
 
 use levalab_core::{FollowerKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};

@@ -12,8 +12,8 @@ const cacheName = cachePrefix + packed.release;
 
 worker.addEventListener("install", (/** @type {any} */ event) => event.waitUntil(keep()));
 worker.addEventListener("activate", (/** @type {any} */ event) => event.waitUntil(takeOver()));
-worker.addEventListener("message", (/** @type {any} */ { data }) => {
-  if (data === "take-over") worker.skipWaiting();
+worker.addEventListener("message", (/** @type {any} */ event) => {
+  if (event.data === "take-over") event.waitUntil(worker.skipWaiting());
 });
 worker.addEventListener("fetch", (/** @type {any} */ event) => {
   const { method, url } = event.request;
