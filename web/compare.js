@@ -17,7 +17,10 @@ import { recall } from "./memory.js";
 export function createCompare(context, texts, engine) {
   /** @type {Promise<import("./compare/index.js").Comparison> | null} */
   let loading = null;
-  const load = () => (loading ??= begin());
+  const load = () => (loading ??= begin().catch((/** @type {unknown} */ error) => {
+    loading = null;
+    throw error;
+  }));
   async function begin() {
     const [{ startComparison }] = await Promise.all([import("./compare/index.js"), context.whole()]);
     return startComparison(context, engine, open);

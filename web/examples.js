@@ -51,7 +51,7 @@ export function createGallery(context, check) {
   }
 
   /** What it goes by: its number in the books, or what it is. @param {Example} example */
-  const nameOf = ({ id, group }) => (group === "more" ? t(`examples.name.${id}`) : id);
+  const nameOf = (example) => (keyOf(example) ? t(keyOf(example)) : example.id);
 
   /** @param {Example} example */
   function card(example) {
@@ -77,7 +77,7 @@ export function createGallery(context, check) {
     banner.hide();
     const found = check(example.design).design;
     if (!found) return;
-    const design = shelve(found, t, example.group === "more" ? `examples.name.${example.id}` : "");
+    const design = shelve(found, t, keyOf(example));
     store.replace(design, t("edit.example", { name: nameOf(example) }));
     store.set({ cursor: 0 });
   }
@@ -98,6 +98,9 @@ export function createGallery(context, check) {
     (/** @type {HTMLElement | null} */ (sections.querySelector("button")) ?? close).focus();
   };
 }
+
+/** The key of its name, where that is a word; a number of the books needs none. @param {Example} example */
+const keyOf = ({ id, group }) => (group === "more" ? `examples.name.${id}` : "");
 
 /** @typedef {{ level: string, path: string, box: string }} Portrait */
 

@@ -115,11 +115,13 @@ function createHistory({ store, t }) {
  */
 function createExamples(context, texts, check) {
   const button = texts.text(h("button", { type: "button", class: "quiet", id: "examples", "aria-haspopup": "dialog" }), "header.examples");
-  /** @type {Promise<() => void> | undefined} */
+  /** @type {(() => void) | undefined} */
   let gallery;
   button.addEventListener("click", async () => {
-    gallery ??= Promise.all([import("./examples.js"), context.whole()]).then(([{ createGallery }]) => createGallery(context, check));
-    (await gallery)();
+    // Asked for again at the next click, should either not come.
+    const [{ createGallery }] = await Promise.all([import("./examples.js"), context.whole()]);
+    gallery ??= createGallery(context, check);
+    gallery();
   });
   return button;
 }

@@ -23,7 +23,7 @@ export async function keepOffline(context) {
     if (!waiting || first) return;
     showNotice(context, "offline.ready", "offline.reload", () => {
       asked = true;
-      // Should the change of the controller not be told, this tells it.
+      // Not when it takes control, which is while it is still activating: what loads then may be answered by either.
       waiting.addEventListener("statechange", () => waiting.state === "activated" && location.reload());
       waiting.postMessage("take-over");
     });
@@ -37,8 +37,8 @@ export async function keepOffline(context) {
     });
   });
   serviceWorker.addEventListener("controllerchange", () => {
-    if (asked) return location.reload();
-    if (first) return (first = false);
+    if (asked) return;
+    if (first) return void (first = false);
     // Another tab asked for it. This one goes on as it is: what it still loads is kept as well.
     showNotice(context, "offline.ready", "offline.reload", () => location.reload());
   });

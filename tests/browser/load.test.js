@@ -44,8 +44,13 @@ for (const [locale, language] of [["en-GB", "en"], ["es-ES", "es"]]) {
   });
 }
 
-/** The whole module waits until it is let through. @param {Page} page */
-async function withhold(page) {
+/**
+ * The page at its address while the whole module waits until it is let through.
+ * @param {import("node:test").TestContext} t
+ * @param {import("playwright-core").BrowserContextOptions & { fragment?: string }} [options]
+ */
+async function openWithoutWhole(t, { fragment = "", ...screen } = {}) {
+  const { page, url } = await openPage(t, { ...screen, ready: false });
   /** @type {() => void} */
   let release = () => {};
   const gate = new Promise((resolve) => (release = () => resolve(undefined)));
@@ -55,7 +60,9 @@ async function withhold(page) {
     await gate;
     await route.continue();
   });
-  return { release, asked: () => asked };
+  await page.goto("about:blank");
+  await page.goto(url + (fragment && `#${fragment}`));
+  return { page, whole: { release, asked: () => asked } };
 }
 
 /** Screens from a phone to a projector, of both languages and themes. @type {import("playwright-core").BrowserContextOptions[]} */
@@ -69,10 +76,7 @@ const SCREENS = [
 for (const screen of SCREENS) {
   const { width } = screen.viewport ?? { width: 1366 };
   test(`the first picture, its animation and an edit do without the whole module (${screen.locale}, ${width} wide)`, async (t) => {
-    const { page, url } = await openPage(t, { ...screen, ready: false, fragment: "" });
-    const whole = await withhold(page);
-    await page.goto("about:blank");
-    await page.goto(url);
+    const { page, whole } = await openWithoutWhole(t, screen);
     await drawn(page);
     await becomes(() => level(page), "low-speed");
     const before = await cursor(page);
@@ -89,10 +93,7 @@ for (const screen of SCREENS) {
 const GAIT = "1.Example_R6.R2_1uiw12.566N256.32s0v0a0s56.88_1.177s123.84_.847s198.72_1.139s256.32v256.32a256.32D103.68.1VXCG1";
 
 test("what only the whole module can do waits for it, and is done then", async (t) => {
-  const { page, url } = await openPage(t, { ready: false });
-  const whole = await withhold(page);
-  await page.goto("about:blank");
-  await page.goto(`${url}#${GAIT}`);
+  const { page, whole } = await openWithoutWhole(t, { fragment: GAIT });
   await eventually(async () => whole.asked(), (asked) => assert(asked, "such a link asks for the whole at once"));
   assert.equal(await page.evaluate(() => performance.getEntriesByName("levalab:drawn").length), 0, "drawn without what it needs");
   whole.release();
@@ -102,10 +103,7 @@ test("what only the whole module can do waits for it, and is done then", async (
 });
 
 test("an edit for which the whole module is missing says so, and is done when that has come", async (t) => {
-  const { page, url } = await openPage(t, { ready: false });
-  const whole = await withhold(page);
-  await page.goto("about:blank");
-  await page.goto(url);
+  const { page, whole } = await openWithoutWhole(t);
   await drawn(page);
   await law(page, 1).selectOption("double-harmonic");
   await verdict(page).getByText(en("banner.arriving")).waitFor();
@@ -116,10 +114,7 @@ test("an edit for which the whole module is missing says so, and is done when th
 });
 
 test("the whole module takes over what the first picture was drawn with", async (t) => {
-  const { page, url } = await openPage(t, { ready: false });
-  const whole = await withhold(page);
-  await page.goto("about:blank");
-  await page.goto(url);
+  const { page, whole } = await openWithoutWhole(t);
   await drawn(page);
   whole.release();
   await eventually(() => page.locator("#verdict .cures button").count(), (count) => assert(count > 0, "no cure is offered"));

@@ -8,7 +8,7 @@ use std::{
 
 use anyhow::{Context, Result, ensure};
 use walrus::{
-    FunctionId, Module,
+    Module,
     ir::{Load, MemArg, Store, Value, Visitor, dfs_in_order},
 };
 use wasmparser::{Data, DataKind, DefinedDataSymbol, KnownCustom, Linking, Operator, Parser, Payload, SymbolInfo};
@@ -95,11 +95,10 @@ impl Constants {
         Ok(Self { places: segments.into_iter().map(|segment| segment.place).collect(), named, pointed })
     }
 
-    /// The stretches of memory that hold nothing but constants which none of the functions reads.
-    pub fn unread(&self, module: &Module, functions: &[FunctionId]) -> Vec<Range<u32>> {
+    /// The stretches of memory that hold nothing but constants which no function of the module reads.
+    pub fn unread(&self, module: &Module) -> Vec<Range<u32>> {
         let mut numbers = Numbers(HashSet::new());
-        for &id in functions {
-            let function = module.funcs.get(id).kind.unwrap_local();
+        for (_, function) in module.funcs.iter_local() {
             dfs_in_order(&mut numbers, function, function.entry_block());
         }
         let mut waiting: Vec<usize> = numbers.0.into_iter().flat_map(|number| self.meant_by(number)).collect();
@@ -186,7 +185,7 @@ mod tests {
     use super::*;
 
     /// A module with a function that does nothing but name some numbers.
-    fn naming(numbers: &[i32]) -> (Module, FunctionId) {
+    fn naming(numbers: &[i32]) -> Module {
         let mut module = Module::default();
         let mut builder = FunctionBuilder::new(&mut module.types, &[], &[ValType::I32]);
         let mut body = builder.func_body();
@@ -194,8 +193,8 @@ mod tests {
             body.i32_const(number).drop();
         }
         body.i32_const(0);
-        let function = builder.finish(Vec::new(), &mut module.funcs);
-        (module, function)
+        builder.finish(Vec::new(), &mut module.funcs);
+        module
     }
 
     fn unread(numbers: &[i32]) -> Vec<(u32, u32)> {
@@ -204,8 +203,7 @@ mod tests {
             named: HashMap::from([(100, HashSet::from([0])), (140, HashSet::from([0, 1])), (212, HashSet::from([4]))]),
             pointed: HashMap::from([(4, HashSet::from([2]))]),
         };
-        let (module, function) = naming(numbers);
-        constants.unread(&module, &[function]).into_iter().map(|stretch| (stretch.start, stretch.end)).collect()
+        constants.unread(&naming(numbers)).into_iter().map(|stretch| (stretch.start, stretch.end)).collect()
     }
 
     #[test]

@@ -16,13 +16,13 @@ use walrus::{
 use crate::constants::Constants;
 
 /// What the watched module exports for each stretch of code, with its number: 1 once it was entered.
-pub const ENTERED: &str = "entered";
+const ENTERED: &str = "entered";
 
 /// Fewest instructions in a row that are worth cutting out.
 const WORTH_CUTTING: usize = 3;
 
 /// What a function is called that is left whole: memory is found in other ways each time.
-const WHOLE: [&str; 3] = ["dlmalloc", "__rdl_", "externref_table"];
+const UNCUT: [&str; 3] = ["dlmalloc", "__rdl_", "externref_table"];
 
 /// A stretch of code that is entered at its beginning only: a place in a sequence, which it leaves at the next such place.
 type Stretch = (InstrSeqId, usize);
@@ -53,7 +53,7 @@ pub fn first(module: &[u8], entered: &HashSet<usize>, constants: &Constants) -> 
     let mut module = parsed(module)?;
     cut(&mut module, entered)?;
     gc::run(&mut module);
-    let unread = constants.unread(&module, &own_functions(&module));
+    let unread = constants.unread(&module);
     keep_constants(&mut module, |place| between(place, &unread))?;
     Ok(module.emit_wasm())
 }
@@ -63,7 +63,7 @@ fn cut(module: &mut Module, entered: &HashSet<usize>) -> Result<()> {
     let (mut number, mut left_whole) = (0, 0);
     for id in own_functions(module) {
         let function = module.funcs.get_mut(id);
-        let whole = function.name.as_ref().is_some_and(|name| WHOLE.iter().any(|part| name.contains(part)));
+        let whole = function.name.as_ref().is_some_and(|name| UNCUT.iter().any(|part| name.contains(part)));
         left_whole += usize::from(whole);
         let function = function.kind.unwrap_local_mut();
         let mut cut = HashSet::new();

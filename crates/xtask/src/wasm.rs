@@ -255,7 +255,8 @@ fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
     Ok(())
 }
 
-/// Writes what the first picture needs of a module; of one whose constants are not told apart, that is all.
+/// Writes what the first picture needs of a module beside it, whose constants are joined again; of one whose constants are not told apart,
+/// what it needs is all.
 fn cut(glue: &Path, module: &Path, constants: Option<&Constants>) -> Result<()> {
     let first = module.with_file_name(FIRST);
     let Some(constants) = constants else {
