@@ -181,7 +181,7 @@ export async function startEngine({ language, restarted, completed }) {
      * @returns {Opened}
      */
     analyse(design, without) {
-      const opened = guarded(() => lab.open(design, SAMPLES, language()), null) ?? { error: { path: "", message: without(!whole) } };
+      const opened = guarded(() => lab.open(design, SAMPLES, language()), null) ?? { error: { path: "", message: without(!whole), arriving: !whole } };
       if (opened.report) good = design;
       return opened;
     },

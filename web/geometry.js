@@ -195,7 +195,7 @@ export function createGeometry(context, texts) {
     choose(speedUnit, design.speed.unit);
     choose(lengthUnit, design.length_unit);
     choose(rotation, design.cam.rotation ?? "counterclockwise");
-    const orphan = error !== null && !/^(segments|conjugate)|generator|sides/.test(error.path) && !owned(error.path);
+    const orphan = error !== null && !error.arriving && !/^(segments|conjugate)|generator|sides/.test(error.path) && !owned(error.path);
     general.hidden = !orphan;
     write(general, orphan ? error.message : "");
   }

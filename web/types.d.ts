@@ -212,6 +212,8 @@ export type SolutionNode = string | [tag: string, attributes: string[], ...child
 export interface DesignError {
   path: string;
   message: string;
+  /** Nothing is wrong: what it is analysed with is still arriving. */
+  arriving?: boolean;
 }
 
 export interface ChartStyle {

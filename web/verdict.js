@@ -15,15 +15,16 @@ import { createTexts } from "./texts.js";
 /** Quiet milliseconds after which a changed verdict is said. */
 const QUIET = 900;
 
-/** @typedef {Level | "stopped"} Light */
+/** @typedef {Level | "stopped" | "waiting"} Light */
 
-/** Shapes that differ without their colour: disc with a tick, triangle, octagon with a bar, square with a cross. */
+/** Shapes that differ without their colour: disc with a tick, triangle, octagon with a bar, square with a cross; a clock. */
 /** @type {Record<Light, string[]>} */
 export const SHAPES = {
   acceptable: ["M12 2a10 10 0 1 0 0 20a10 10 0 1 0 0-20z", "M7.500 12.500l3 3l6-6.500"],
   "low-speed": ["M12 2.500L22.500 21h-21z", "M12 9v6M12 17.500v1"],
   unacceptable: ["M7.900 2h8.200l5.900 5.900v8.200l-5.900 5.900h-8.200l-5.900-5.900v-8.200z", "M7 12h10"],
   stopped: ["M3 3h18v18h-18z", "M8 8l8 8M16 8l-8 8"],
+  waiting: ["M12 2a10 10 0 1 0 0 20a10 10 0 1 0 0-20z", "M12 6.500v5.500l4 2.500"],
 };
 
 /**
@@ -73,13 +74,13 @@ export function mount(root, context) {
   function update() {
     const { report, error } = store.state;
     /** @type {Light} */
-    const light = error ? "stopped" : report.verdict.level;
+    const light = error ? (error.arriving ? "waiting" : "stopped") : report.verdict.level;
     if (root.dataset["level"] !== light) {
       root.dataset["level"] = light;
       sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
       sign.lastElementChild?.setAttribute("d", SHAPES[light][1] ?? "");
     }
-    const [lead, rest] = error ? [t("verdict.stopped"), obstacle(error)] : parted(report.verdict.headline, report.verdict.cam);
+    const [lead, rest] = error ? [t(`verdict.${light}`), obstacle(error)] : parted(report.verdict.headline, report.verdict.cam);
     write(word, lead);
     write(headline, rest);
     show(error ? [] : report.verdict.findings);

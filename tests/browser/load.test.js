@@ -107,6 +107,7 @@ test("an edit for which the whole module is missing says so, and is done when th
   await drawn(page);
   await law(page, 1).selectOption("double-harmonic");
   await verdict(page).getByText(en("banner.arriving")).waitFor();
+  assert.equal(await level(page), "waiting", "nothing is wrong");
   whole.release();
   await verdict(page).getByText(en("banner.arriving")).waitFor({ state: "hidden" });
   await becomes(() => level(page), "unacceptable");

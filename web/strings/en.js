@@ -11,7 +11,7 @@ export const en = {
   "banner.copy": "Copy the link as it came",
   "banner.link": "{reason} It was not opened: your own design stays as it was.",
   "banner.panic": "Something in the calculation failed, which is a fault of LevaLab and not yours. It was started again and nothing is lost: undo the last change and go on.",
-  "banner.arriving": "A part of the calculation is still arriving: one moment.",
+  "banner.arriving": "A part of the calculation is still arriving.",
   "banner.broken": "The calculation keeps failing. Your design is safe in the address bar: copy the link and load the page again.",
   "banner.engine": "LevaLab could not start: this browser did not load WebAssembly. ({reason})",
   "banner.file": "The file was not opened. {reason}",
@@ -209,6 +209,7 @@ export const en = {
   "number.huge": "“{text}” is too large.",
   "number.unreadable": "“{text}” is not a number: write one such as 12.5 or −3.",
 
+  "verdict.waiting": "One moment.",
   "verdict.stopped": "Cannot be built.",
   "verdict.stopped.kept": "The last good cam stays on screen, dimmed.",
   "verdict.findings": "Findings",

@@ -11,7 +11,7 @@ export const es = {
   "banner.copy": "Copiar el enlace tal como llegó",
   "banner.link": "{reason} No se ha abierto: su diseño sigue como estaba.",
   "banner.panic": "Ha fallado algo en el cálculo; es un defecto de LevaLab, no suyo. Se ha vuelto a arrancar y no se ha perdido nada: deshaga el último cambio y continúe.",
-  "banner.arriving": "Una parte del cálculo está llegando todavía: un momento.",
+  "banner.arriving": "Una parte del cálculo todavía está llegando.",
   "banner.broken": "El cálculo sigue fallando. Su diseño está a salvo en la barra de direcciones: copie el enlace y vuelva a cargar la página.",
   "banner.engine": "LevaLab no ha podido arrancar: este navegador no ha cargado WebAssembly. ({reason})",
   "banner.file": "No se ha abierto el archivo. {reason}",
@@ -209,6 +209,7 @@ export const es = {
   "number.huge": "«{text}» es demasiado grande.",
   "number.unreadable": "«{text}» no es un número: escriba uno como 12,5 o −3.",
 
+  "verdict.waiting": "Un momento.",
   "verdict.stopped": "No se puede construir.",
   "verdict.stopped.kept": "La última leva válida sigue en pantalla, atenuada.",
   "verdict.findings": "Observaciones",
