@@ -6,6 +6,8 @@
  */
 import { h } from "./dom.js";
 import { recall } from "./memory.js";
+import { demand, onDemand } from "./on-demand.js";
+import { whenIdle } from "./rest.js";
 
 /** @typedef {{ another: () => Lab, check: (design: unknown) => Read, saveFile: (design: Design) => string }} CompareEngine */
 
@@ -22,19 +24,19 @@ export function createCompare(context, texts, engine) {
     throw error;
   }));
   async function begin() {
-    const [{ startComparison }] = await Promise.all([import("./compare/index.js"), context.whole()]);
+    const { startComparison } = await import("./compare/index.js");
     return startComparison(context, engine, open);
   }
   const open = texts.text(h("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }), "header.compare");
   const pin = h("button", { type: "button", class: "quiet", id: "pin", "aria-keyshortcuts": "C" }, "+");
   texts.attribute(pin, "aria-label", "header.pin");
   texts.attribute(pin, "title", "header.pin");
-  open.addEventListener("click", async () => (await load()).open());
-  pin.addEventListener("click", async () => {
-    // That of the click: the next edit may come before what pins it.
+  onDemand(context, open, load, (comparison) => comparison.open());
+  pin.addEventListener("click", () => {
+    // The design of the click: the next edit may come before the part that pins it.
     const design = context.store.lastGood();
-    (await load()).pin(design);
+    void demand(context, pin, load, (comparison) => comparison.pin(design));
   });
-  if (recall("slate")) requestIdleCallback?.(() => void load());
+  if (recall("slate")) whenIdle(() => void load().catch(console.warn));
   return h("div", { class: "group" }, open, pin);
 }

@@ -213,12 +213,12 @@ export function createConditionTable(context, { id, index }, law) {
     }
     const count = conditionsOf(state.design).length;
     hint.textContent = knots ? t("conditions.count", { count }) : t("conditions.degree", { count, degree: count - 1 });
-    if (knots) void suggest();
+    if (knots) suggest();
   }
 
   /** The knots that the engine took, where none are told. */
-  async function suggest() {
-    const taken = (await marksOf(context)).filter(({ kind, segment }) => kind === "knot" && segment === index());
+  function suggest() {
+    const taken = marksOf(context).filter(({ kind, segment }) => kind === "knot" && segment === index());
     const text = taken.map(({ at }) => fieldText(Number(at.toPrecision(4)), store.state.language)).join("  ");
     if (knots && knots.input.placeholder !== text) knots.input.placeholder = text;
   }

@@ -8,6 +8,7 @@ import { createFollowerChoice } from "./follower-choice.js";
 import { createGeometry } from "./geometry.js";
 import { createKindChoice } from "./kind-choice.js";
 import { createSegments } from "./segments.js";
+import { onDemand } from "./on-demand.js";
 import { createTexts } from "./texts.js";
 
 /**
@@ -24,7 +25,7 @@ export function mount(root, context) {
   const segments = createSegments(context, texts);
   root.setAttribute("aria-labelledby", heading.id);
   const application = texts.text(h("button", { type: "button", class: "quiet", id: "application-button", "aria-expanded": "false" }), "design.application");
-  application.addEventListener("click", async () => (await import("./application/index.js")).open(context, application));
+  onDemand(context, application, () => import("./application/index.js"), (panel) => panel.open(context, application));
   root.append(heading, kind.line, follower.root, geometry.root, kind.root, segments.root, application);
 
   function update() {

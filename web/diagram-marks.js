@@ -1,6 +1,6 @@
 /**
  * What lies over the diagram of s for curves made from data: measured points, and the ordinates of a Bézier curve, which are moved by
- * pointer or keys. Loaded with the first such curve.
+ * pointer or keys.
  *
  * @import { Mark } from "./marks.js"
  * @import { Row } from "./stage/overlay.js"
@@ -8,7 +8,6 @@
  */
 import { clean } from "./clean.js";
 import { h, s } from "./dom.js";
-import { dress } from "./free-sheet.js";
 import { marksOf } from "./marks.js";
 import { heightStep } from "./number-field.js";
 import { stepped, valueAt } from "./hand.js";
@@ -28,7 +27,6 @@ let gestures = 0;
  */
 export function createMarks(plots, context) {
   const { store, t, format } = context;
-  dress();
   const dots = s("path", { class: "mark-points" });
   const sides = s("path", { class: "mark-sides" });
   const drawing = s("svg", { "aria-hidden": "true" }, sides, dots);
@@ -141,16 +139,12 @@ export function createMarks(plots, context) {
     handles.setAttribute("aria-label", t("ordinates.title"));
   }
 
-  let asked = 0;
   /**
    * @param {Row | undefined} next  the diagram of s, when it is shown
    */
-  return async function update(next) {
+  return function update(next) {
     row = next;
     layer.hidden = next === undefined;
-    if (!next) return;
-    const mine = ++asked;
-    const marks = await marksOf(context);
-    if (mine === asked) draw(marks);
+    if (next) draw(marksOf(context));
   };
 }

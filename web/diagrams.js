@@ -4,12 +4,15 @@
  * @import { Diagram, ShellContext, State, Tab } from "./types.d.ts"
  * @import { Row } from "./stage/overlay.js"
  */
+import { createMarks } from "./diagram-marks.js";
 import { h, write } from "./dom.js";
+import { createExplanation } from "./parameters.js";
 import { atRest } from "./rest.js";
 import { choice } from "./stage/choice.js";
 import { cycleOf, decimalsOf } from "./stage/clock.js";
 import { moveCursor, placeUnder, wheelCursor } from "./stage/cursor-hand.js";
 import { figure } from "./stage/figure.js";
+import { diagramInWords } from "./stage/in-words.js";
 import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 import { FLAG, LABELS, atTheta, drawOverlay } from "./stage/overlay.js";
@@ -56,9 +59,9 @@ export function mount(root, context) {
   let hover = NaN;
   /** @type {Tab | null} */
   let arranged = null;
-  /** @type {ReturnType<typeof import("./parameters.js").createExplanation> | null} */
+  /** @type {ReturnType<typeof createExplanation> | null} */
   let explanation = null;
-  /** @type {Promise<ReturnType<typeof import("./diagram-marks.js").createMarks>> | null} */
+  /** @type {ReturnType<typeof createMarks> | null} */
   let marks = null;
   let drawing = false;
 
@@ -84,9 +87,8 @@ export function mount(root, context) {
     drawAll();
     caption();
   });
-  const tell = atRest(async () => {
-    void explain();
-    const { diagramInWords } = await import("./stage/in-words.js");
+  const tell = atRest(() => {
+    explain();
     for (const { plot, canvas } of Object.values(figures)) canvas.setAttribute("aria-label", diagramInWords(context, plot));
   });
 
@@ -159,14 +161,14 @@ export function mount(root, context) {
       return { diagram, area, x: left, y: top, place: perSecond ? plot.timed : plot.place, colour: palette[plot.token] };
     });
     drawCursor();
-    void mark();
+    mark();
   }
 
-  /** What lies over the diagram of s for curves made from data: loaded with the first of them. */
-  async function mark() {
+  /** The data of curves made from data, over the diagram of s. */
+  function mark() {
     if (!marks && !store.state.design.segments.some(({ points, ordinates }) => points ?? ordinates)) return;
-    marks ??= import("./diagram-marks.js").then(({ createMarks }) => createMarks(plots, context));
-    await (await marks)(seesSecond(store.state) ? undefined : rows.find(({ diagram }) => diagram === "s"));
+    marks ??= createMarks(plots, context);
+    marks(seesSecond(store.state) ? undefined : rows.find(({ diagram }) => diagram === "s"));
   }
 
   function drawCursor() {
@@ -209,12 +211,11 @@ export function mount(root, context) {
     tell();
   }
 
-  /** What the diagram of a parameter says of this cam: loaded with the first of them that is looked at. */
-  async function explain() {
+  /** The explanation under the diagram of a parameter. */
+  function explain() {
     const tab = tabOf(store.state);
     note.hidden = tab === "svaj";
     if (note.hidden) return;
-    const { createExplanation } = await import("./parameters.js");
     explanation ??= createExplanation(note, context);
     explanation.update();
   }

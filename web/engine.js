@@ -1,12 +1,10 @@
 /**
- * The calculation: WebAssembly, loaded twice, and started again from what was loaded should it ever panic.
+ * The calculation of the main screen: a WebAssembly module, started again from what was loaded should it ever panic.
  *
- * First comes what the first picture runs and nothing else, then the whole takes over. What that first part does not hold stops it; the
- * engine then waits for the whole, and the design is analysed again.
- *
- * @import { ApplicationEntry, ChartStyle, Design, Driven, Lab, Language, Opened, PlotArea, Read, Room, SolutionNode, TieKey } from "./types.d.ts"
+ * @import { Design, Lab, Language, Opened, Read, TieKey } from "./types.d.ts"
  */
-import { compileFirst, compileWhole, glue } from "./module.js";
+import { compiled, glue } from "./module.js";
+import { forgetWorkshop } from "./workshop.js";
 
 /** Stations of a turn that are drawn. */
 const SAMPLES = 720;
@@ -15,110 +13,48 @@ const SAMPLES = 720;
 const RESTARTS = 3;
 const RESTART_WINDOW = 10_000;
 
-/**
- * What the generated module offers.
- * @typedef {object} Module
- * @property {(options: { module_or_path: WebAssembly.Module }) => Promise<WebAssembly.Exports>} default
- * @property {new () => Lab} Lab
- * @property {(fragment: string, language: Language) => Read} open_link
- * @property {(design: unknown, language: Language) => Read} read_design
- * @property {(design: unknown, key: TieKey) => Room | null} room_for_second
- * @property {(design: Readonly<Design>, unit: string, language: Language) => Read} in_unit
- * @property {(unit: string, language: Language) => ApplicationEntry[]} applications
- * @property {(design: Readonly<Design>, key: TieKey, language: Language) => string | undefined} why_no_second
- * @property {{ of: (design: Design) => Driven | undefined }} Driven
- * @property {(design: unknown) => Float64Array} data_marks
- * @property {(design: unknown, language: Language, theta?: number, segment?: number) => SolutionNode[] | undefined} solution
- * @property {(design: unknown, language: Language, theta: number | undefined, segment: number | undefined, to: "latex" | "markdown") => string} solution_text
- * @property {(wanted: unknown, language: Language) => import("./auto/window.js").Answer} join_requirements
- * @property {(canvas: HTMLCanvasElement, design: Design | null, style: ChartStyle, heights: Float64Array, held: Float64Array) => PlotArea} draw_sheet
- */
+/** @typedef {Omit<typeof import("./pkg/levalab_wasm.js"), "Lab" | "default"> & { default: (options: { module_or_path: WebAssembly.Module }) => Promise<unknown>, Lab: new () => Lab }} Module */
 
 /**
  * @param {object} options
  * @param {() => Language} options.language
  * @param {(hopeless: boolean) => void} options.restarted  told after a panic, when the engine works again or never will
- * @param {() => void} options.completed  told when the whole has taken over: what was taken from the first part is to be asked for again
  */
-export async function startEngine({ language, restarted, completed }) {
-  const first = compileFirst();
-  /** Asked for once; again when it did not come. @type {Promise<WebAssembly.Module> | null} */
-  let rest = null;
-  /** True when the whole is at work: in the page of one file, from the start. */
-  let whole = compileFirst === compileWhole;
-  /** @type {Promise<void> | null} */
-  let completing = null;
+export async function startEngine({ language, restarted }) {
+  const source = await compiled("levalab_wasm");
   let generation = 0;
   /** @type {number[]} */
   let panics = [];
   /** @type {Design | null} */
   let good = null;
   let restarting = false;
-  let recovery = Promise.resolve();
   /** @type {Module} */
   let module;
   /** @type {Lab} */
   let lab;
 
-  /**
-   * Goes on with a fresh instance, which a fresh copy of the glue holds: a panicked one cannot be trusted, and one of the first part
-   * leaves its work to the whole.
-   * @param {WebAssembly.Module} compiled
-   */
-  async function goOn(compiled) {
-    const fresh = await glue(generation++);
-    await fresh.default({ module_or_path: compiled });
-    const left = /** @type {Lab | undefined} */ (lab);
+  /** Goes on with a fresh instance, which a fresh copy of the glue holds: a panicked one cannot be trusted. */
+  async function goOn() {
+    const fresh = /** @type {Module} */ (await glue("levalab_wasm", generation++));
+    await fresh.default({ module_or_path: source });
     module = fresh;
     lab = new fresh.Lab();
     if (good) lab.open(good, SAMPLES, language());
-    try {
-      left?.free();
-    } catch {
-      // It panicked, and lies there with its instance.
-    }
   }
 
-  function remainder() {
-    rest ??= compileWhole().catch((/** @type {unknown} */ error) => {
-      rest = null;
-      throw error;
-    });
-    return rest;
-  }
-
-  /** Lets the whole take over. */
-  function complete() {
-    completing ??= (async () => {
-      try {
-        const compiled = await remainder();
-        if (whole) return;
-        await goOn(compiled);
-        whole = true;
-        if (!restarting) completed();
-      } finally {
-        completing = null;
-      }
-    })();
-    return completing;
-  }
-
-  /** @param {boolean} early  that the whole is missed is no panic */
-  async function restart(early) {
+  async function restart() {
     restarting = true;
     const now = performance.now();
-    if (!early) panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
+    panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
     if (panics.length > RESTARTS) return restarted(true);
     try {
-      if (early) await complete();
-      else await goOn(await remainder());
+      await goOn();
     } catch (error) {
       console.error(error);
       return restarted(true);
     }
     restarting = false;
-    if (early) completed();
-    else restarted(false);
+    restarted(false);
   }
 
   /**
@@ -142,46 +78,29 @@ export async function startEngine({ language, restarted, completed }) {
    */
   function failed(error) {
     if (!(error instanceof WebAssembly.RuntimeError)) return restarting;
-    const early = !whole;
-    if (!early) console.error(error);
-    if (!restarting) recovery = restart(early);
+    console.error(error);
+    forgetWorkshop();
+    if (!restarting) void restart();
     return true;
   }
 
-  await goOn(await first);
-  // Links lead to all kinds of cam.
-  if (location.hash !== "") void remainder().catch(() => {});
+  await goOn();
 
   return {
     lab: () => lab,
     /** A laboratory besides the page's own. */
     another: () => new module.Lab(),
     failed,
-    /** The whole module. @returns {Promise<Module>} */
-    async whole() {
-      if (!whole) await complete();
-      await recovery;
-      return module;
-    },
-    /**
-     * What `work` gives, once more by the whole when the first part could not do it.
-     * @template Result
-     * @param {() => Result} work
-     */
-    async surely(work) {
-      const result = work();
-      if (!restarting) return result;
-      await recovery;
-      return work();
-    },
+    /** Asked for before each use, since a panic replaces it. */
+    module: () => module,
 
     /**
      * @param {Design} design
-     * @param {(arriving: boolean) => string} without  what to say when the calculation fails, or when what it needs is still arriving
+     * @param {() => string} without  what to say when the calculation fails
      * @returns {Opened}
      */
     analyse(design, without) {
-      const opened = guarded(() => lab.open(design, SAMPLES, language()), null) ?? { error: { path: "", message: without(!whole), arriving: !whole } };
+      const opened = guarded(() => lab.open(design, SAMPLES, language()), null) ?? { error: { path: "", message: without() } };
       if (opened.report) good = design;
       return opened;
     },

@@ -5,6 +5,8 @@
  * @import { Check } from "./recent.js"
  */
 import { h, s } from "./dom.js";
+import { loadSolution } from "./header.js";
+import { onDemand } from "./on-demand.js";
 import * as library from "./pkg/examples.js";
 import { shelve } from "./shelf.js";
 import { addStrings } from "./strings/index.js";
@@ -64,9 +66,9 @@ export function createGallery(context, check) {
     open.addEventListener("click", () => show(example));
     if (example.group !== "solved") return h("li", {}, open);
     const solved = h("button", { type: "button", class: "quiet solved", "data-solution": example.id, "aria-label": t("examples.solution.of", { name: example.id }) }, t("examples.solution"));
-    solved.addEventListener("click", async () => {
+    onDemand(context, solved, () => loadSolution(context), (solution) => {
       show(example);
-      await (await import("./solution/index.js")).open(context);
+      void solution.open(context);
     });
     return h("li", {}, open, solved);
   }

@@ -6,6 +6,7 @@
  */
 import { h } from "./dom.js";
 import { createMenu } from "./menu.js";
+import { onDemand } from "./on-demand.js";
 import { isSingleFile } from "./packed.js";
 
 /** A design file has a few thousand characters; a larger one is something else. */
@@ -19,11 +20,10 @@ const LARGEST = 1_000_000;
  * @param {Pick<FileEngine, "openFile">} engine
  * @returns {(file: File) => Promise<void>}
  */
-export function opener({ store, t, banner, whole }, { openFile }) {
+export function opener({ store, t, banner }, { openFile }) {
   return async (file) => {
     const text = file.size > LARGEST ? "" : await file.text().catch(() => "");
     const attempt = () => openFile(text, t("banner.file.json"));
-    await whole();
     const read = attempt();
     if (read.error) return banner.show("banner.file", () => ({ reason: sentence(attempt()) }));
     banner.hide();
@@ -48,13 +48,13 @@ export function createFiles(context, texts, engine) {
   // A page on disk may load nothing: there only the command line writes other files.
   const menu = createMenu("files-menu", [open, recent, save, ...(isSingleFile() ? [] : [exports]), paper, symbols]);
   const openFile = opener(context, engine);
-  /** @type {Promise<() => Promise<void>> | undefined} */
+  /** @type {(() => unknown) | undefined} */
   let recentDialog;
-  /** @type {Promise<() => Promise<void>> | undefined} */
+  /** @type {(() => unknown) | undefined} */
   let exportDialog;
-  /** @type {Promise<() => Promise<void>> | undefined} */
+  /** @type {(() => unknown) | undefined} */
   let printDialog;
-  /** @type {Promise<{ open: (anchor: HTMLElement) => void }> | undefined} */
+  /** @type {{ open: (anchor: HTMLElement) => void } | undefined} */
   let notationMenu;
   const files = texts.text(h("button", { type: "button", class: "quiet drop", "aria-haspopup": "menu" }), "header.files");
 
@@ -65,22 +65,10 @@ export function createFiles(context, texts, engine) {
     chooser.value = "";
     if (file) void openFile(file);
   });
-  recent.addEventListener("click", async () => {
-    recentDialog ??= import("./recent-dialog.js").then(({ createRecentDialog }) => createRecentDialog(context, engine.check));
-    await (await recentDialog)();
-  });
-  exports.addEventListener("click", async () => {
-    exportDialog ??= import("./exports/dialog.js").then(({ createExportDialog }) => createExportDialog(context));
-    await (await exportDialog)();
-  });
-  paper.addEventListener("click", async () => {
-    printDialog ??= import("./exports/print-dialog.js").then(({ createPrintDialog }) => createPrintDialog(context));
-    await (await printDialog)();
-  });
-  symbols.addEventListener("click", async () => {
-    notationMenu ??= import("./notation.js").then(({ createNotationMenu }) => createNotationMenu(context));
-    (await notationMenu).open(files);
-  });
+  onDemand(context, recent, () => import("./recent-dialog.js"), ({ createRecentDialog }) => (recentDialog ??= createRecentDialog(context, engine.check))());
+  onDemand(context, exports, () => import("./exports/dialog.js"), ({ createExportDialog }) => (exportDialog ??= createExportDialog(context))());
+  onDemand(context, paper, () => import("./exports/print-dialog.js"), ({ createPrintDialog }) => (printDialog ??= createPrintDialog(context))());
+  onDemand(context, symbols, () => import("./notation.js"), ({ createNotationMenu }) => (notationMenu ??= createNotationMenu(context)).open(files));
   addEventListener("keydown", (event) => {
     const asked = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey && event.key.toLowerCase() === "p";
     if (!asked || document.querySelector("dialog[open]")) return;

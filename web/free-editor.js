@@ -1,14 +1,11 @@
 /**
- * What a free law is made from, edited beneath its segment; loaded when the first such law is met.
+ * The data of a free law, edited beneath its segment.
  *
  * @import { FreeEditor } from "./free-parts.js"
  * @import { LawEntry, ShellContext } from "./types.d.ts"
  */
 import { createConditionTable } from "./condition-table.js";
 import { createFormulaField, createOrdinatesField, createTableField } from "./free-text.js";
-import { dress } from "./free-sheet.js";
-
-dress();
 
 /** @type {Record<string, (context: ShellContext, place: { id: string, index: () => number }, law: LawEntry) => FreeEditor>} */
 const EDITORS = { conditions: createConditionTable, points: createTableField, ordinates: createOrdinatesField, expression: createFormulaField };

@@ -122,12 +122,12 @@ export function createTableField(context, place) {
     span.hidden = last === undefined || last <= 0 || last === segment?.beta || !field.readable();
     if (last !== undefined) span.textContent = t("table.span", { angle: format.number(last, { unit: "°" }) });
     residuals.hidden = !(Number(segment?.["smoothing"]) > 0);
-    if (!residuals.hidden) void tell();
+    if (!residuals.hidden) tell();
   }
 
   /** What the curve leaves of each point. */
-  async function tell() {
-    const marks = (await marksOf(context)).filter(({ kind, segment }) => kind === "point" && segment === index());
+  function tell() {
+    const marks = marksOf(context).filter(({ kind, segment }) => kind === "point" && segment === index());
     const [first] = marks;
     if (!first) return;
     const { units } = store.state.report;

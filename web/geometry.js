@@ -10,6 +10,7 @@ import { followerEntry } from "./follower-choice.js";
 import { createHelpDrawing } from "./help-drawing.js";
 import { mark } from "./help-mark.js";
 import { createNumberField, lengthStep, ownStep } from "./number-field.js";
+import { askUnit } from "./unit-change.js";
 
 /** @type {Rotation[]} */
 const ROTATIONS = ["counterclockwise", "clockwise"];
@@ -95,10 +96,7 @@ export function createGeometry(context, texts) {
    */
   function unitSelect(id, units) {
     const element = select(id, units);
-    element.addEventListener("change", async () => {
-      element.dataset["asking"] = "";
-      (await import("./unit-change.js")).ask(context, element, choices);
-    });
+    element.addEventListener("change", () => askUnit(context, element, choices));
     return element;
   }
 
@@ -195,7 +193,7 @@ export function createGeometry(context, texts) {
     choose(speedUnit, design.speed.unit);
     choose(lengthUnit, design.length_unit);
     choose(rotation, design.cam.rotation ?? "counterclockwise");
-    const orphan = error !== null && !error.arriving && !/^(segments|conjugate)|generator|sides/.test(error.path) && !owned(error.path);
+    const orphan = error !== null && !/^(segments|conjugate)|generator|sides/.test(error.path) && !owned(error.path);
     general.hidden = !orphan;
     write(general, orphan ? error.message : "");
   }

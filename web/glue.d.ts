@@ -1,5 +1,5 @@
-/** The generated JavaScript as `bundle.js` puts it into the single-file page. */
+/** The generated JavaScript of each module, as `bundle.js` puts it into the single-file page. */
 declare module "levalab:glue" {
   /** A copy of its own, with an instance of its own. */
-  export function freshGlue(): any;
+  export function freshGlue(name: string): any;
 }

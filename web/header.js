@@ -8,6 +8,7 @@ import { h } from "./dom.js";
 import { createCompare } from "./compare.js";
 import { createFiles } from "./files.js";
 import { icon } from "./icons.js";
+import { onDemand } from "./on-demand.js";
 import { createShare } from "./share.js";
 import { learn } from "./strings/index.js";
 import { createTexts } from "./texts.js";
@@ -32,7 +33,7 @@ export function mount(root, context, engine) {
   const share = createShare(context, texts);
   const files = createFiles(context, texts, engine);
   const help = h("button", { type: "button", class: "quiet", id: "help-button", "aria-haspopup": "dialog" }, "?");
-  help.addEventListener("click", async () => (await import("./help/dialog.js")).open(context));
+  onDemand(context, help, () => import("./help/dialog.js"), (dialog) => dialog.open(context));
   texts.attribute(help, "aria-label", "header.help");
   texts.attribute(help, "title", "header.help");
   const theme = createTheme(context);
@@ -117,13 +118,17 @@ function createExamples(context, texts, check) {
   const button = texts.text(h("button", { type: "button", class: "quiet", id: "examples", "aria-haspopup": "dialog" }), "header.examples");
   /** @type {(() => void) | undefined} */
   let gallery;
-  button.addEventListener("click", async () => {
-    // Asked for again at the next click, should either not come.
-    const [{ createGallery }] = await Promise.all([import("./examples.js"), context.whole()]);
+  onDemand(context, button, () => import("./examples.js"), ({ createGallery }) => {
     gallery ??= createGallery(context, check);
     gallery();
   });
   return button;
+}
+
+/** The window and its calculation. @param {ShellContext} context */
+export async function loadSolution({ workshop }) {
+  const [solution] = await Promise.all([import("./solution/index.js"), workshop()]);
+  return solution;
 }
 
 /**
@@ -133,7 +138,7 @@ function createExamples(context, texts, check) {
 function createSolution(context, texts) {
   const button = texts.text(h("button", { type: "button", class: "quiet", id: "solve", "aria-haspopup": "dialog" }), "header.solution");
   texts.attribute(button, "title", "header.solution.hint");
-  button.addEventListener("click", async () => (await import("./solution/index.js")).open(context));
+  onDemand(context, button, () => loadSolution(context), (solution) => solution.open(context));
   return button;
 }
 
@@ -160,13 +165,11 @@ function createTheme({ store, t }) {
  * @param {ShellContext} context
  * @param {Texts} texts
  */
-function createLanguages({ store }, texts) {
+function createLanguages(context, texts) {
+  const { store } = context;
   const buttons = LANGUAGES.map((language) => {
     const button = h("button", { type: "button", class: "quiet", lang: language }, language.toUpperCase());
-    button.addEventListener("click", async () => {
-      await learn(language);
-      store.set({ language });
-    });
+    onDemand(context, button, () => learn(language), () => store.set({ language }));
     button.title = language === "es" ? "Español" : "English";
     return { language, button };
   });

@@ -7,6 +7,7 @@
  */
 import { s } from "./dom.js";
 import { DRAWINGS, anyFollower } from "./follower-dimensions.js";
+import { kindDrawing } from "./kind-drawings.js";
 import { sign } from "./signs.js";
 
 const WIDTH = 168;
@@ -22,7 +23,6 @@ const ROOM = 44;
  */
 export function createHelpDrawing({ pick, point }) {
   const root = s("svg", { class: "help-drawing", role: "img" });
-  let wanted = "";
 
   /** @param {Event} event */
   const parameterAt = (event) =>
@@ -43,19 +43,17 @@ export function createHelpDrawing({ pick, point }) {
      * @param {string} name  text alternative
      * @param {KindId} kind
      */
-    async show(entry, name, kind) {
+    show(entry, name, kind) {
       /** @type {Symbols} */
       const symbols = { base_radius: "R_b", breadth: "d_c", length: "ℓ" };
       for (const parameter of entry.parameters) symbols[parameter.key] = parameter.symbol;
       for (const [key, ours] of Object.entries(symbols)) if (key !== "arm") symbols[key] = sign(ours);
-      const now = (wanted = `${kind} ${entry.id}`);
       const plain = () => (DRAWINGS[entry.id] ?? anyFollower)(symbols);
       const top = entry.motion === "oscillating" ? ROOM : 0;
       root.setAttribute("viewBox", `0 ${top} ${WIDTH} ${HEIGHT - top}`);
       root.setAttribute("aria-label", name);
       if (kind === "rotating" || kind === "grooved") return root.replaceChildren(...plain());
-      const { kindDrawing } = await import("./kind-drawings.js");
-      if (wanted === now) root.replaceChildren(...(kindDrawing(kind, entry.id, symbols) ?? plain()));
+      root.replaceChildren(...(kindDrawing(kind, entry.id, symbols) ?? plain()));
     },
 
     /** @param {string | null} parameter */

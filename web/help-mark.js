@@ -4,6 +4,7 @@
  * @import { ShellContext } from "./types.d.ts"
  */
 import { h } from "./dom.js";
+import { demand } from "./on-demand.js";
 
 /** The element that holds the words "What is" in the page's language, which every mark begins its name with. */
 const WHAT = "mark-what";
@@ -23,8 +24,8 @@ export function answer(context) {
   document.body.append(what);
   speak();
   context.store.subscribe(["language"], speak);
-  document.addEventListener("click", async ({ target }) => {
+  document.addEventListener("click", ({ target }) => {
     const asked = target instanceof Element ? target.closest("button[data-term]") : null;
-    if (asked instanceof HTMLElement) (await import("./help/card.js")).show(context, asked);
+    if (asked instanceof HTMLElement) void demand(context, asked, () => import("./help/card.js"), (card) => card.show(context, asked));
   });
 }

@@ -1,11 +1,14 @@
 /**
- * The choice of the kind of cam, and the parts of the panel that some kinds alone need, loaded when they are.
+ * The choice of the kind of cam, and the parts of the panel that only some kinds need, made when the first such cam is met.
  *
  * @import { KindId, ShellContext } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
 import { h } from "./dom.js";
 import { mark } from "./help-mark.js";
+import { changeKind } from "./kind-change.js";
+import { createBreadthPanel } from "./kind-panel/breadth.js";
+import { createPairPanel } from "./kind-panel/pair.js";
 
 /** @typedef {{ root: HTMLElement, update: () => void, speak: () => void }} Part */
 
@@ -23,17 +26,15 @@ export function createKindChoice(context, texts) {
   /** @type {Record<"breadth" | "pair", Part | null>} */
   const parts = { breadth: null, pair: null };
 
-  select.addEventListener("change", async () => {
+  select.addEventListener("change", () => {
     const kind = /** @type {KindId} */ (select.value);
-    const { changeKind } = await import("./kind-change.js");
     const { program } = store.state.report;
     store.edit(t("edit.kind"), (draft) => changeKind(draft, kind, catalogue, program));
   });
-  pair.addEventListener("click", async () => (await load("pair")).add?.());
+  pair.addEventListener("click", () => show("pair").add?.());
 
   /** @param {"breadth" | "pair"} name */
-  async function load(name) {
-    const { createBreadthPanel, createPairPanel } = await import("./kind-panel.js");
+  function show(name) {
     const part = parts[name] ?? (name === "breadth" ? createBreadthPanel(context) : createPairPanel(context, pair));
     if (!parts[name]) {
       parts[name] = part;
@@ -55,7 +56,7 @@ export function createKindChoice(context, texts) {
     pair.hidden = !pairs || conjugate !== undefined;
     for (const [name, wanted] of /** @type {const} */ ([["breadth", cam.kind === "constant-breadth"], ["pair", conjugate !== undefined]])) {
       if (parts[name]) parts[name].update();
-      else if (wanted) void load(name);
+      else if (wanted) show(name);
     }
   }
 

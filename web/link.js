@@ -10,7 +10,7 @@ const PAUSE = 350;
 
 /**
  * @param {ShellContext} context
- * @param {Pick<import("./engine.js").Engine, "openLink" | "surely">} engine
+ * @param {Pick<import("./engine.js").Engine, "openLink">} engine
  * @param {boolean} damaged  a damaged link stays in the address bar until the first edit
  */
 export function keepLink({ store, banner, t }, engine, damaged) {
@@ -46,17 +46,17 @@ export function keepLink({ store, banner, t }, engine, damaged) {
     timer = window.setTimeout(write, Math.max(0, PAUSE - (performance.now() - lastWrite)));
   }
 
-  async function opened() {
+  function opened() {
     const pasted = fragment();
     if (pasted === "" || pasted === written) return;
-    const read = await engine.surely(() => engine.openLink(pasted));
+    const read = engine.openLink(pasted);
     if (read.error) return banner.show("banner.link", () => ({ reason: engine.openLink(pasted).error?.message ?? "" }), pasted);
     banner.hide();
     store.replace(read.design, t("edit.link"));
   }
 
   store.subscribe(["report"], schedule);
-  addEventListener("hashchange", () => void opened());
+  addEventListener("hashchange", opened);
   addEventListener("pagehide", () => {
     if (timer) write();
   });

@@ -3,6 +3,7 @@
  *
  * @import { ShellContext } from "./types.d.ts"
  */
+import { begin } from "./afterwards.js";
 import * as appearance from "./appearance.js";
 import { createBanner } from "./banner.js";
 import * as designPanel from "./design-panel.js";
@@ -15,20 +16,21 @@ import { firstDesign, keepLink } from "./link.js";
 import * as mechanism from "./mechanism.js";
 import { createFormat } from "./numbers.js";
 import * as readouts from "./readouts.js";
+import { whenIdle } from "./rest.js";
 import { retitled, shelve } from "./shelf.js";
 import { say, speakIn } from "./signs.js";
 import { store } from "./store.js";
 import { createTranslate, learn } from "./strings/index.js";
 import * as transport from "./transport.js";
 import * as verdict from "./verdict.js";
+import { whyNotStarted } from "./start-failure.js";
+import { workshop } from "./workshop.js";
 import { CATALOGUE as catalogue } from "./pkg/catalogue.js";
 
 const language = () => store.state.language;
 const t = createTranslate(language);
 const format = createFormat(language);
 const banner = createBanner(element("banner"), t);
-/** True once a design is on screen. */
-let started = false;
 
 store.set(appearance.rememberedView(store.state));
 appearance.follow(store);
@@ -36,16 +38,20 @@ appearance.follow(store);
 // Not waited for: what it imports on the way may import from this module when they are packed into one file.
 start().catch((error) => {
   console.error(error);
-  banner.show("banner.engine", { reason: error instanceof Error ? error.message : String(error) });
+  banner.show(...whyNotStarted(error));
 });
 
 async function start() {
-  const [engine] = await Promise.all([startEngine({ language, restarted, completed }), learn(language())]);
+  const starting = startEngine({ language, restarted });
+  // The words come first, since a failure needs them too.
+  starting.catch(() => {});
+  await learn(language());
+  const engine = await starting;
   const example = shelve(catalogue.first, t);
 
   store.connect({
     analyse(design) {
-      const opened = engine.analyse(design, (arriving) => t(arriving ? "banner.arriving" : "banner.panic"));
+      const opened = engine.analyse(design, () => t("banner.panic"));
       if (opened.error) opened.error.message = say(opened.error.message);
       else if (speakIn(opened.report?.notation)) store.touch("language");
       return opened;
@@ -61,14 +67,11 @@ async function start() {
   addEventListener("unhandledrejection", (event) => {
     if (engine.failed(event.reason)) event.preventDefault();
   });
-  const first = await engine.surely(() => {
-    const found = firstDesign(engine, example);
-    if (!store.start(found.design)) store.start(example);
-    return found;
-  });
+  const first = firstDesign(engine, example);
+  if (!store.start(first.design)) store.start(example);
 
   /** @type {ShellContext} */
-  const context = { store, lab: engine.lab, t, format, catalogue, banner, announce, room: engine.room, whole: engine.whole };
+  const context = { store, lab: engine.lab, t, format, catalogue, banner, announce, room: engine.room, module: engine.module, workshop };
   // What is drawn on canvases comes first in each frame: their text asks for the styles of the page, which costs least while
   // nothing has been written into it.
   mechanism.mount(element("mechanism"), context);
@@ -89,16 +92,9 @@ async function start() {
     banner.refresh();
     store.reanalyse(retitled(store.state.design, t));
   });
-  started = true;
   store.drawNow();
   performance.mark("levalab:drawn");
-  const idle = globalThis.requestIdleCallback ?? ((/** @type {() => void} */ work) => setTimeout(work, 200));
-  idle(() => void import("./afterwards.js").then(({ begin }) => begin(context, engine)).catch(console.error));
-}
-
-/** The whole calculation has come: what could not be drawn without it is drawn now, and nothing asks the first part any more. */
-function completed() {
-  if (started) store.reanalyse();
+  whenIdle(() => begin(context, engine));
 }
 
 /** @param {boolean} hopeless */

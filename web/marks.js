@@ -19,21 +19,21 @@ const KINDS = /** @type {const} */ (["point", "ordinate", "knot"]);
 /** Numbers of a mark. */
 const WIDTH = 7;
 
-/** The report for which they were found, and they. @type {{ report: unknown, marks: Promise<Mark[]> } | null} */
+/** The report for which they were found, and they. @type {{ report: unknown, marks: Mark[] } | null} */
 let known = null;
 
 /**
  * The marks of the design on screen.
  * @param {ShellContext} context
  */
-export function marksOf({ store, whole }) {
+export function marksOf({ store, module }) {
   const { report } = store.state;
   if (known?.report !== report) known = { report, marks: ask() };
   return known.marks;
 
-  async function ask() {
+  function ask() {
     const design = store.lastGood();
-    const numbers = (await whole()).data_marks(design);
+    const numbers = module().data_marks(design);
     return Array.from({ length: numbers.length / WIDTH }, (_, i) => {
       const [kind = 0, segment = 0, item = 0, at = 0, theta = 0, height = 0, residual = 0] = numbers.subarray(i * WIDTH);
       return { kind: KINDS[kind] ?? "point", segment, item, at, theta, height, residual };

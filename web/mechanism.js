@@ -6,7 +6,9 @@
 import { h } from "./dom.js";
 import { atRest } from "./rest.js";
 import { STEP, handle } from "./stage/handling.js";
+import { mechanismInWords } from "./stage/in-words.js";
 import { instant } from "./stage/instant.js";
+import * as kinds from "./stage/kinds.js";
 import { layersMenu } from "./stage/layers-menu.js";
 import { metered } from "./stage/meter.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
@@ -46,17 +48,12 @@ export function mount(root, context) {
   let height = 0;
   /** @type {Scene | null} */
   let scene = null;
-  /** How other kinds of cam and pairs are drawn, loaded when the first is met. @type {import("./stage/kinds.js").Kinds | null} */
-  let kinds = null;
   let kind = "";
   /** @type {{ x: number, y: number } | null} */
   let pointer = null;
 
   /** The text alternative. */
-  const describe = atRest(async () => {
-    const { mechanismInWords } = await import("./stage/in-words.js");
-    canvas.setAttribute("aria-label", mechanismInWords(context));
-  });
+  const describe = atRest(() => canvas.setAttribute("aria-label", mechanismInWords(context)));
 
   const draw = metered(() => {
     if (!scene || width === 0) return;
@@ -130,14 +127,6 @@ export function mount(root, context) {
 
   function rebuild() {
     const { report } = store.state;
-    if (filled() && !kinds) {
-      void import("./stage/kinds.js").then((module) => {
-        kinds = module;
-        rebuild();
-        draw();
-      });
-      return;
-    }
     const other = `${report.mechanism.motion} ${report.mechanism.contact} ${report.units.length} ${report.kind} ${report.conjugate !== null} ${report.travels ? report.span : ""}`;
     scene = new Scene(report, lab(), scene, filled() ? kinds : null);
     if (other !== kind) {

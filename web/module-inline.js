@@ -1,13 +1,16 @@
-/** Where the calculation comes from in the single-file page: text in the page itself, since a page on disk may load nothing. */
+/** Where the modules of the calculation come from in the single-file page: text in the page itself, since a page on disk may load nothing. */
 import { inlined } from "./inlined.js";
 import { freshGlue } from "levalab:glue";
 
-/** @type {Promise<WebAssembly.Module> | undefined} */
-let compiled;
+/** @type {Map<string, Promise<WebAssembly.Module>>} */
+const known = new Map();
 
-/** The whole is there from the start. */
-export const compileWhole = () => (compiled ??= WebAssembly.compile(inlined("levalab-module")));
+/** @param {string} name */
+export function compiled(name) {
+  const module = known.get(name) ?? WebAssembly.compile(inlined(name));
+  known.set(name, module);
+  return module;
+}
 
-export const compileFirst = compileWhole;
-
-export const glue = async () => freshGlue();
+/** @param {string} name */
+export const glue = async (name) => freshGlue(name);

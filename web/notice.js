@@ -5,7 +5,6 @@
  */
 import { h } from "./dom.js";
 import { createTexts } from "./texts.js";
-import "./strings/files.js";
 
 /** @type {HTMLElement | undefined} */
 let root;

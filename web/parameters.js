@@ -1,6 +1,5 @@
 /**
- * What the diagram of a parameter says of this very cam: pressure angle, radius of curvature, length of the face. Loaded with the
- * first of these diagrams that is looked at.
+ * What the diagram of a parameter says of this very cam: pressure angle, radius of curvature, length of the face.
  *
  * @import { Context, Range, Report } from "./types.d.ts"
  */
@@ -8,11 +7,6 @@ import { h, write } from "./dom.js";
 import { fieldText, parseNumber } from "./numbers.js";
 import { inSight, seesSecond } from "./stage/place.js";
 import { tabOf } from "./stage/plots.js";
-import { addStrings } from "./strings/index.js";
-import { parametersEn } from "./strings/parameters.en.js";
-import { parametersEs } from "./strings/parameters.es.js";
-
-addStrings({ en: parametersEn, es: parametersEs });
 
 /**
  * @param {HTMLElement} root

@@ -8,7 +8,6 @@ import { h } from "./dom.js";
 import { forget } from "./memory.js";
 import { inOtherTabs, recentDesigns } from "./recent.js";
 import { createTexts } from "./texts.js";
-import "./strings/files.js";
 
 /**
  * @param {ShellContext} context

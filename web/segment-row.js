@@ -9,6 +9,7 @@ import { clean } from "./clean.js";
 import { h, symbol } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { setBeta } from "./free-data.js";
+import { createFreeEditor } from "./free-editor.js";
 import { createThumbnail } from "./law-thumbnail.js";
 import { createNumberField, heightStep, lengthStep } from "./number-field.js";
 import { changeLaw, heightAt } from "./program.js";
@@ -122,16 +123,11 @@ export function createSegmentRow(context, actions) {
     );
     root.classList.toggle("still", next !== undefined && !next.moves);
     editor = null;
-    if (next?.free) void openEditor(next);
+    if (next?.free) openEditor(next);
   }
 
-  /**
-   * The editor of a free law's data comes when the first such law does.
-   * @param {LawEntry} of
-   */
-  async function openEditor(of) {
-    const { createFreeEditor } = await import("./free-editor.js");
-    if (law !== of || editor) return;
+  /** @param {LawEntry} of */
+  function openEditor(of) {
     editor = createFreeEditor(context, of, { id, index: () => index });
     parameters.append(editor.root);
     editor.update(store.state);

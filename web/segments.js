@@ -8,6 +8,7 @@
  */
 import { h, symbol } from "./dom.js";
 import { mark } from "./help-mark.js";
+import { onDemand } from "./on-demand.js";
 import * as program from "./program.js";
 import { createClosing } from "./segment-closing.js";
 import { createSegmentMenu } from "./segment-menu.js";
@@ -43,7 +44,13 @@ export function createSegments(context, texts) {
 
   const add = texts.text(h("button", { type: "button", class: "quiet" }), "segments.add");
   const auto = texts.text(h("button", { type: "button", class: "quiet", "aria-haspopup": "dialog" }), "segments.auto");
-  auto.addEventListener("click", async () => (await import("./auto/index.js")).openAuto(context));
+  onDemand(context, auto, loadAuto, ({ openAuto }) => openAuto(context));
+  /** The window and its calculation. */
+  async function loadAuto() {
+    const [window] = await Promise.all([import("./auto/index.js"), context.workshop()]);
+    return window;
+  }
+
   const closing = createClosing(context, texts, add, auto);
   const menu = createSegmentMenu(t, act);
   const root = h(

@@ -212,8 +212,6 @@ export type SolutionNode = string | [tag: string, attributes: string[], ...child
 export interface DesignError {
   path: string;
   message: string;
-  /** Nothing is wrong: what it is analysed with is still arriving. */
-  arriving?: boolean;
 }
 
 export interface ChartStyle {
@@ -375,10 +373,6 @@ export interface Lab {
   beside(other: Lab, colour: string, dash: Float64Array): void;
   /** In the order of `FIGURES`; NaN where one does not apply. */
   figures(): Float64Array;
-  /** The program by every law that fits: place of the law in the catalogue (−1: as it is), smallest base radius, figures. */
-  tournament(): Float64Array;
-  /** The current design with one law for every segment that moves. */
-  by_law(place: number): Design;
   /** Left and right end of the face that the contact needs with a margin at each end, and its length; empty without a face. */
   face(margin: number, second?: boolean): Float64Array;
 }
@@ -485,8 +479,10 @@ export interface ShellContext extends Context {
   catalogue: Catalogue;
   /** The room that a design leaves for a second cam, tied in one of the ways that its follower allows. */
   room: (design: Readonly<Design>, key: TieKey) => Room | null;
-  /** The module with what is not asked for at every visit; asked for again before each use, since a panic replaces it. */
-  whole: () => Promise<import("./engine.js").Module>;
+  /** The module of the main screen; asked for before each use, since a panic replaces it. */
+  module: () => import("./engine.js").Module;
+  /** The module of the rarer work; asked for before each use, likewise. */
+  workshop: () => Promise<import("./workshop.js").Workshop>;
   /** Says a sentence to screen readers, politely. */
   announce: (sentence: string) => void;
   banner: Banner;

@@ -1,14 +1,9 @@
 /**
- * Another unit, asked plainly: the same cam in other numbers, or the same numbers of another cam. Loaded when a unit is first changed.
+ * Another unit, asked plainly: the same cam in other numbers, or the same numbers of another cam.
  *
  * @import { Design, ShellContext } from "./types.d.ts"
  */
 import { h } from "./dom.js";
-import { addStrings } from "./strings/index.js";
-import { unitsEn } from "./strings/units.en.js";
-import { unitsEs } from "./strings/units.es.js";
-
-addStrings({ en: unitsEn, es: unitsEs });
 
 /** Closes the question that is open. */
 let close = () => {};
@@ -41,8 +36,8 @@ function relabel(draft, unit, speed) {
  * @param {HTMLSelectElement} select
  * @param {HTMLElement} place  the line that the question follows
  */
-export async function ask(context, select, place) {
-  const { store, t, format, announce, whole } = context;
+export function askUnit(context, select, place) {
+  const { store, t, format, announce, module } = context;
   close();
   select.dataset["asking"] = "";
   const speed = select.id === "field-speed-unit";
@@ -81,9 +76,7 @@ export async function ask(context, select, place) {
   close = done;
   if (before.unit === to) return done();
 
-  const module = await whole();
-  if (close !== done) return;
-  const read = module.in_unit(design, to, store.state.language);
+  const read = module().in_unit(design, to, store.state.language);
   /** @param {{ value: number, unit: string }} quantity */
   const write = ({ value, unit }) => format.quantity(value, { trim: true, unit });
   const question = t("unit.question", { from: before.unit, to });

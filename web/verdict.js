@@ -32,7 +32,7 @@ export const SHAPES = {
  * @param {ShellContext} context
  */
 export function mount(root, context) {
-  const { store, lab, t, announce, catalogue, whole } = context;
+  const { store, lab, t, announce, catalogue } = context;
   const parameters = [...catalogue.followers, ...catalogue.laws].flatMap((entry) => entry.parameters.map(({ key }) => key));
   /** Keys of the design that have a name in the strings. */
   const named = new Set(["base_radius", "beta", "rise", ...parameters]);
@@ -74,7 +74,7 @@ export function mount(root, context) {
   function update() {
     const { report, error } = store.state;
     /** @type {Light} */
-    const light = error ? (error.arriving ? "waiting" : "stopped") : report.verdict.level;
+    const light = error ? "stopped" : report.verdict.level;
     if (root.dataset["level"] !== light) {
       root.dataset["level"] = light;
       sign.firstElementChild?.setAttribute("d", SHAPES[light][0] ?? "");
@@ -106,10 +106,7 @@ export function mount(root, context) {
   }
 
   /** Finding the cures takes many analyses. */
-  const lookForCures = atRest(async () => {
-    const { report } = store.state;
-    if (items.length > 0) await whole();
-    if (store.state.report !== report) return;
+  const lookForCures = atRest(() => {
     const cures = items.length > 0 ? lab().cures(store.state.language) : [];
     items.forEach((item, index) => item.prescribe(cures[index] ?? []));
   });

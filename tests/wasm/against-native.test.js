@@ -6,6 +6,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { CATALOGUE } from "../../web/pkg/catalogue.js";
 import { Lab, initSync } from "../../web/pkg/levalab_wasm.js";
+import { design_by_law, initSync as initWorkshop, tournament_of } from "../../web/pkg/levalab_workshop_wasm.js";
 
 /** Both run the same arithmetic; only sin, cos and their like may differ, in the last digits. Relative to the column's scale. */
 const TOLERANCE = 1e-12;
@@ -18,6 +19,7 @@ const root = path.resolve(import.meta.dirname, "../..");
 const { LEVALAB_CLI: cli, LEVALAB_MODULE: module } = process.env;
 assert(cli && module, "LEVALAB_CLI and LEVALAB_MODULE name what to compare: run `cargo xtask test wasm`");
 initSync({ module: readFileSync(path.join(module, "levalab_wasm_bg.wasm")) });
+initWorkshop({ module: readFileSync(path.join(module, "levalab_workshop_wasm_bg.wasm")) });
 
 const examples = readdirSync(path.join(root, "examples")).filter((name) => name.endsWith(".lev.json"));
 assert(examples.length > 0, "no examples");
@@ -88,7 +90,7 @@ for (const example of examples) {
     const design = JSON.parse(readFileSync(path.join(root, "examples", example), "utf8"));
     lab.open(design, SAMPLES, "en");
     const { laws } = CATALOGUE;
-    const numbers = lab.tournament();
+    const numbers = tournament_of(design);
     const width = 2 + lab.figures().length;
     assert.deepEqual(numbers.slice(2, width), lab.figures());
     const count = numbers.length / width;
@@ -98,7 +100,7 @@ for (const example of examples) {
       const [place, , ...figures] = numbers.slice(i * width, (i + 1) * width);
       const { id } = laws[place];
       const alone = new Lab();
-      const opened = alone.open(lab.by_law(place), SAMPLES, "en");
+      const opened = alone.open(design_by_law(design, place), SAMPLES, "en");
       assert(!("error" in opened), JSON.stringify(opened));
       assert.deepEqual([...alone.figures()], figures, id);
       assert.equal(["acceptable", "low-speed", "unacceptable"].indexOf(opened.report.verdict.level), figures[0], id);
@@ -108,17 +110,5 @@ for (const example of examples) {
       const other = opened.report.conjugate?.summary.pressure_angle ?? angle;
       assert.deepEqual([Math.min(angle?.min ?? NaN, other?.min ?? NaN), Math.max(angle?.max ?? NaN, other?.max ?? NaN)], figures.slice(8, 10), id);
     }
-  });
-}
-
-for (const id of ["9RT", "1RT", "12PO"]) {
-  test(`${id}: what the first picture runs of the module tells what the whole tells`, async () => {
-    // A copy of the glue for an instance of its own.
-    const cut = await import(`../../web/pkg/levalab_wasm.js?${id}`);
-    cut.initSync({ module: readFileSync(path.join(/** @type {string} */ (module), "levalab_first.wasm")) });
-    const design = JSON.parse(readFileSync(path.join(root, "examples", `${id}.lev.json`), "utf8"));
-    const [first, whole] = [new cut.Lab(), new Lab()];
-    assert.deepEqual(first.open(design, SAMPLES, "es"), whole.open(design, SAMPLES, "es"));
-    for (const column of ["s", "v", "a", "j", "pressure_angle", "x", "y"]) assert.deepEqual(first.column(column), whole.column(/** @type {any} */ (column)));
   });
 }

@@ -7,12 +7,12 @@ import path from "node:path";
 import { test } from "node:test";
 import katex from "katex";
 import { CATALOGUE } from "../../web/pkg/catalogue.js";
-import { initSync, solution_text } from "../../web/pkg/levalab_wasm.js";
+import { initSync, solution_text } from "../../web/pkg/levalab_workshop_wasm.js";
 
 const root = path.resolve(import.meta.dirname, "../..");
 const { LEVALAB_CLI: cli, LEVALAB_MODULE: module } = process.env;
 assert(cli && module, "LEVALAB_CLI and LEVALAB_MODULE name what writes LaTeX: run `cargo xtask test wasm`");
-initSync({ module: readFileSync(path.join(module, "levalab_wasm_bg.wasm")) });
+initSync({ module: readFileSync(path.join(module, "levalab_workshop_wasm_bg.wasm")) });
 
 const NOTATIONS = ["norton", "shigley", "rothbart", "cardona-clos", "capitals"];
 const examples = readdirSync(path.join(root, "examples")).filter((name) => name.endsWith(".lev.json"));

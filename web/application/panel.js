@@ -45,15 +45,11 @@ export function createPanel(context, button) {
   });
   store.subscribe(["design", "report", "error", "language"], (_, changed) => {
     if (changed.has("language")) texts.refresh();
-    if (!root.hidden) void update();
+    if (!root.hidden) update();
   });
-  let turn = 0;
 
-  async function update() {
-    const mine = ++turn;
-    await renew();
-    // A newer design is under way.
-    if (mine !== turn) return;
+  function update() {
+    renew();
     const { design, report } = store.state;
     const swings = design.follower.motion === "oscillating";
     refusal.hidden = !swings;
@@ -72,11 +68,11 @@ export function createPanel(context, button) {
   }
 
   return {
-    async toggle() {
+    toggle() {
       if (!root.hidden) return hide();
       root.hidden = false;
       button.setAttribute("aria-expanded", "true");
-      await update();
+      update();
       heading.focus();
     },
   };

@@ -12,7 +12,7 @@
  */
 
 /** @param {ShellContext} context */
-export function createWork({ store, whole }) {
+export function createWork({ store, module: current }) {
   /** @type {Work} */
   const work = { entries: [], driven: null, report: null };
   /** @type {unknown} */
@@ -21,8 +21,8 @@ export function createWork({ store, whole }) {
   return {
     work,
     /** Works it out for the last good design. */
-    async renew() {
-      const module = await whole();
+    renew() {
+      const module = current();
       // One that belongs to an instance which has panicked cannot be let go of.
       if (owner === module) work.driven?.free();
       owner = module;

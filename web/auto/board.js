@@ -16,7 +16,7 @@ const LEAST_RATIO = 2;
  * @param {() => number[]} heights  that the board has room for
  * @param {() => void} ready        it was drawn, perhaps by another scale
  */
-export function createBoard({ store, t, whole }, heights, ready) {
+export function createBoard({ store, t, module }, heights, ready) {
   const canvas = h("canvas", { role: "img" });
   /** @type {Design | null} */
   let design = null;
@@ -26,14 +26,13 @@ export function createBoard({ store, t, whole }, heights, ready) {
   let held = null;
   let palette = readPalette();
 
-  new ResizeObserver(() => void draw()).observe(canvas);
+  new ResizeObserver(draw).observe(canvas);
   onAppearance(() => {
     palette = readPalette();
-    void draw();
+    draw();
   });
 
-  async function draw() {
-    const module = await whole();
+  function draw() {
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     if (width === 0 || height === 0) return;
     const ratio = Math.max(devicePixelRatio, LEAST_RATIO);
@@ -42,7 +41,7 @@ export function createBoard({ store, t, whole }, heights, ready) {
     const all = heights();
     // A hand that goes on above the board takes it along.
     const scale = held ? [held.area.y_min, Math.max(held.area.y_max, ...all)] : [];
-    const area = module.draw_sheet(canvas, design, style, Float64Array.from(all), Float64Array.from(scale));
+    const area = module().draw_sheet(canvas, design, style, Float64Array.from(all), Float64Array.from(scale));
     row = { area, x: 0, y: 0, place: 0, colour: palette.s };
     ready();
   }
@@ -55,13 +54,13 @@ export function createBoard({ store, t, whole }, heights, ready) {
     /** Keeps the scale while a hand is at work on it. @param {boolean} on */
     hold(on) {
       held = on ? row : null;
-      if (!on) void draw();
+      if (!on) draw();
     },
 
     /** @param {Design | null} joined */
     show(joined) {
       design = joined;
-      void draw();
+      draw();
     },
     word() {
       palette = readPalette();

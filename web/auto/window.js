@@ -20,7 +20,7 @@ import { createTable } from "./table.js";
 
 /** @param {ShellContext} context */
 export function createWindow(context) {
-  const { store, t, whole } = context;
+  const { store, t, workshop } = context;
   const list = createList(() => store.state.language);
   /** @type {Kind} */
   let tool = "dwell";
@@ -149,14 +149,14 @@ export function createWindow(context) {
   }
 
   async function join() {
-    const module = await whole();
+    const { join_requirements } = await workshop();
     const { all, bad } = asked(list.all);
     if (!all) return tell({ error: { path: `requirements[${bad}]`, message: t("auto.unreadable") } });
     if (all.length === 0) return tell({ error: { path: "", message: t("auto.nothing") } });
     /** @type {Partial<Design>} */
     const around = { ...store.lastGood() };
     delete around.segments;
-    tell(module.join_requirements({ ...around, requirements: all, high_speed: fast.checked, least: least.value }, store.state.language));
+    tell(join_requirements({ ...around, requirements: all, high_speed: fast.checked, least: least.value }, store.state.language));
   }
 
   /** @param {Answer} answer */

@@ -2,6 +2,7 @@
  * The tournament of the laws: the same program moved by every law that fits, in an order that the user chooses.
  *
  * @import { ShellContext } from "../types.d.ts"
+ * @import { Workshop } from "../workshop.js"
  * @import { Slate } from "./slate.js"
  */
 import { h, symbol } from "../dom.js";
@@ -31,7 +32,7 @@ const at = (figures, name) => figures[FIGURES[name]] ?? NaN;
  * @param {Slate} slate
  * @param {(sentence: string) => void} say
  */
-export function createTournament({ store, lab, t, format, catalogue }, slate, say) {
+export function createTournament({ store, workshop, t, format, catalogue }, slate, say) {
   const about = h("p", { class: "compare-empty" });
   const head = h("thead");
   const body = h("tbody");
@@ -41,26 +42,42 @@ export function createTournament({ store, lab, t, format, catalogue }, slate, sa
   /** @type {Rank} */
   let rank = "verdict";
   let upwards = true;
-  /** @type {unknown} */
+  /** The report of the design whose tournament is shown. @type {unknown} */
   let judged = null;
+  /** Of the tournament on screen. @type {Workshop | null} */
+  let engine = null;
   /** @type {Contender[]} */
   let contenders = [];
 
-  /** Asks the engine once a design. */
-  function judge() {
-    if (judged === store.state.report) return;
-    judged = store.state.report;
-    const numbers = lab().tournament();
+  /** Asks the engine once a design; false when the tournament does not arrive. */
+  async function judge() {
+    const { report } = store.state;
+    if (judged === report) return true;
+    engine = await workshop().catch((/** @type {unknown} */ error) => {
+      console.warn(error);
+      return null;
+    });
+    if (!engine) return false;
+    judged = report;
+    const numbers = engine.tournament_of(store.lastGood());
     const width = 2 + Object.keys(FIGURES).length;
     contenders = Array.from({ length: numbers.length / width }, (_, i) => {
       const [law = -1, radius = NaN] = numbers.subarray(i * width);
       return { law, radius, figures: numbers.slice(i * width + 2, (i + 1) * width) };
     });
+    return true;
   }
 
-  function update() {
+  async function update() {
+    if (!(await judge())) {
+      about.textContent = t("demand.missing");
+      return;
+    }
+    show();
+  }
+
+  function show() {
     const focused = document.activeElement instanceof HTMLElement && table.contains(document.activeElement) ? document.activeElement.dataset["key"] : undefined;
-    judge();
     const { perSecond, report } = store.state;
     const { units } = report;
     about.textContent = t("compare.laws.about", { count: contenders.filter(({ law }) => law >= 0).length });
@@ -98,10 +115,13 @@ export function createTournament({ store, lab, t, format, catalogue }, slate, sa
     sort.addEventListener("click", () => {
       upwards = rank === name ? !upwards : true;
       rank = name;
-      update();
+      show();
     });
     return h("th", { scope: "col", class: name === "verdict" && "compare-judged", "aria-sort": chosen ? (upwards ? "ascending" : "descending") : "none" }, sort);
   }
+
+  /** The design on screen by one law. @param {number} law */
+  const byLaw = (law) => engine?.design_by_law(store.lastGood(), law);
 
   /**
    * @param {Contender} contender
@@ -113,11 +133,13 @@ export function createTournament({ store, lab, t, format, catalogue }, slate, sa
     const thumbnail = createThumbnail();
     thumbnail.draw(entry?.thumbnail ?? [], false);
     const use = action(`use ${law}`, t("compare.use"), t("compare.use.of", { name }), () => {
-      store.replace(lab().by_law(law), t("edit.laws", { name }));
+      const design = byLaw(law);
+      if (design) store.replace(design, t("edit.laws", { name }));
       say(t("compare.used", { name }));
     });
     const pin = action(`pin ${law}`, t("compare.pin.short"), t("compare.pin.of", { name }), () => {
-      const design = entry ? lab().by_law(law) : store.lastGood();
+      const design = entry ? byLaw(law) : store.lastGood();
+      if (!design) return;
       const title = design.title || t("app.untitled");
       const done = slate.pin(design, entry ? `${title} · ${name}` : title);
       say(t(`compare.${done}`, { name, count: slate.pins.length, most: MOST }));

@@ -2,7 +2,6 @@
  * The report on paper: design, cam to scale, diagrams, verdict and table, made anew each time the browser prints.
  *
  * @import { ShellContext } from "../types.d.ts"
- * @import { Module } from "../engine.js"
  * @import { Make } from "./writers.js"
  */
 import { h } from "../dom.js";
@@ -32,16 +31,9 @@ export const reportOnPaper = (context) => (onPaper ??= createReport(context));
 function createReport(context) {
   /** @type {Make | null} */
   let make = null;
-  /** @type {Module | null} */
-  let module = null;
   /** @type {HTMLElement | null} */
   let placed = null;
   let step = 10;
-
-  // The browser's own print asks for nothing before: what may be wanted is there in time.
-  const follow = () => void (context.store.lastGood().application && context.whole().then((whole) => (module = whole)));
-  context.store.subscribe(["report"], follow);
-  follow();
 
   let clothed = false;
   void dressed.then(() => (clothed = true));
@@ -50,7 +42,7 @@ function createReport(context) {
     placed?.remove();
     // A solution that is printed is the whole paper.
     if (!clothed || document.querySelector("body > .on-paper")) return;
-    placed = compose(context, make, step, module);
+    placed = compose(context, make, step);
     document.body.append(placed);
   });
   addEventListener("afterprint", () => {
@@ -66,7 +58,6 @@ function createReport(context) {
     async ready(rows) {
       step = rows;
       await dressed;
-      module = await context.whole();
       make = await loadExports().catch((error) => {
         console.warn(error);
         return null;
@@ -79,9 +70,8 @@ function createReport(context) {
  * @param {ShellContext} context
  * @param {Make | null} make
  * @param {number} step
- * @param {Module | null} module  that works applications out
  */
-function compose(context, make, step, module) {
+function compose(context, make, step) {
   const { store, t } = context;
   const design = store.lastGood();
   const first = opening(context, design);
@@ -89,7 +79,7 @@ function compose(context, make, step, module) {
   const apart = left < LEAST;
   const cam = drawn(context, design, make, apart ? TALL - 12 : left);
   const said = verdict(context);
-  const driven = module && driving(context, design, module);
+  const driven = driving(context, design, context.module());
   return h(
     "article",
     { class: "report", lang: store.state.language },

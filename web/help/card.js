@@ -7,7 +7,7 @@ import { h } from "../dom.js";
 import { followerEntry } from "../follower-choice.js";
 import { createHelpDrawing } from "../help-drawing.js";
 import { addressOf, pageOf } from "./pages.js";
-import { beside } from "./place.js";
+import { beside } from "../floating.js";
 import { dressed } from "./words.js";
 
 const close = h("button", { type: "button", class: "quiet close" }, "×");
@@ -66,7 +66,8 @@ function dress({ store, catalogue, t }, entry, term) {
   const own = follower && (["base_radius", "breadth", "length"].includes(term) || follower.parameters.some(({ key }) => key === term));
   if (follower && own) {
     const drawing = createHelpDrawing({ pick() {}, point() {} });
-    void drawing.show(follower, t(`follower.${follower.id}`), store.state.design.cam.kind).then(() => drawing.light(term));
+    drawing.show(follower, t(`follower.${follower.id}`), store.state.design.cam.kind);
+    drawing.light(term);
     article.querySelector(".drawing")?.replaceChildren(drawing.root);
   }
   return article;

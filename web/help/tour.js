@@ -6,7 +6,7 @@
 import { h } from "../dom.js";
 import { keep } from "../memory.js";
 import { createTexts } from "../texts.js";
-import { beside } from "./place.js";
+import { beside } from "../floating.js";
 import { dressed } from "./words.js";
 
 /** What each step points at, by its key in the strings. @type {readonly (readonly [string, string])[]} */

@@ -15,7 +15,7 @@ import { rounded } from "./rounded.js";
  * @param {HTMLButtonElement} opener  the button that adds the second cam, to which the focus returns
  */
 export function createPairPanel(context, opener) {
-  const { store, t, format, room, announce, whole } = context;
+  const { store, t, format, room, announce, module } = context;
   const legend = h("legend");
   const title = h("span");
   const remove = h("button", { type: "button", class: "quiet" });
@@ -57,14 +57,14 @@ export function createPairPanel(context, opener) {
     }
     refused(true);
     announce(t("pair.impossible"));
-    void why(keys[0] ?? "distance");
+    why(keys[0] ?? "distance");
   }
 
   /** The reason of this very pair, in the place of the one that holds for all. @param {TieKey} key */
-  async function why(key) {
+  function why(key) {
     const { design, language } = store.state;
-    const reason = (await whole()).why_no_second(design, key, language);
-    if (!reason || store.state.design !== design || !root.classList.contains("refused")) return;
+    const reason = module().why_no_second(design, key, language);
+    if (!reason) return;
     write(problem, `${reason} ${t("pair.remedy")}`);
     announce(problem.textContent);
   }

@@ -33,7 +33,7 @@ export async function open(context) {
  * @param {ShellContext} context
  * @returns {Open}
  */
-function createView({ store, whole, t, announce }) {
+function createView({ store, workshop, t, announce }) {
   addStrings({ en: solutionEn, es: solutionEs });
   wear();
   const texts = createTexts(t);
@@ -73,7 +73,7 @@ function createView({ store, whole, t, announce }) {
   async function draw() {
     if (!dialog.open) return;
     arrange();
-    const made = (await whole()).solution(...asked());
+    const made = (await workshop()).solution(...asked());
     if (!made) return;
     const { scrollTop } = text;
     // The title is that of the window.
@@ -134,7 +134,7 @@ function createView({ store, whole, t, announce }) {
   });
   for (const [button, to] of /** @type {const} */ ([[latex, "latex"], [markdown, "markdown"]])) {
     button.addEventListener("click", async () => {
-      const done = await copy((await whole()).solution_text(...asked(), to));
+      const done = await copy((await workshop()).solution_text(...asked(), to));
       const sentence = t(done ? "solution.copied" : "solution.uncopied", { what: t(`solution.${to}.name`) });
       announce(sentence);
       error.textContent = sentence;

@@ -1,5 +1,5 @@
 /**
- * How cams that are no plain rotating plate are drawn, and second cams: a file each. Loaded when one is met.
+ * How cams that are no plain rotating plate are drawn, and second cams: a file each.
  *
  * @import { Format, Lab, Report, State } from "../types.d.ts"
  * @import { Cam } from "./cam-part.js"

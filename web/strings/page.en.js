@@ -1,3 +1,8 @@
-/** The words that every visit needs, in English. */
+/** The words of the main screen, in English. */
 export { en } from "./en.js";
+export { filesEn } from "./files.en.js";
+export { freeEn } from "./free.en.js";
+export { kindsEn } from "./kinds.en.js";
+export { parametersEn } from "./parameters.en.js";
 export { stageEn } from "./stage.en.js";
+export { unitsEn } from "./units.en.js";

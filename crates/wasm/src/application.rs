@@ -1,10 +1,10 @@
 //! What a follower drives: the list for a menu, the figures of a design's application, and its diagrams. For the module that is loaded on demand.
 
 use crate::diagrams::{paint, style_of};
-use crate::{language, object, plain};
 use levalab_chart::{Diagram, Style, svg};
 use levalab_core::application::{APPLICATIONS, Magnitude};
 use levalab_core::{Analysis, Cam};
+use levalab_edge::{language, object};
 use levalab_format::report::Range;
 use levalab_format::{ApplicationDesign, Design, LengthUnit, Outcome};
 use levalab_words::{Language, application_head, application_name, application_title};
@@ -109,7 +109,7 @@ pub struct Driven {
 impl Driven {
     /// The application of a good design; nothing when it has none.
     pub fn of(#[wasm_bindgen(unchecked_param_type = "Design")] design: &JsValue) -> Option<Driven> {
-        let (design, cam) = Design::open(&plain::value(design)).ok()?;
+        let (design, cam) = Design::open(&levalab_edge::value(design)).ok()?;
         let set = design.application.clone()?;
         let analysis = Analysis::of(&cam, STEPS);
         let outcome = set.outcome(&design, &cam, &analysis);

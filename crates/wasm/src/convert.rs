@@ -1,6 +1,7 @@
 //! A design in another unit.
 
-use crate::{Read, language, object, plain, speak};
+use crate::Read;
+use levalab_edge::{Failure, language, object};
 use levalab_format::{Design, LengthUnit, SpeedUnit};
 use wasm_bindgen::prelude::*;
 
@@ -16,7 +17,7 @@ pub fn in_unit(
 ) -> Result<JsValue, JsError> {
     let length = LengthUnit::ALL.into_iter().find(|known| known.symbol() == unit);
     let speed = SpeedUnit::ALL.into_iter().find(|known| known.symbol(LengthUnit::default()) == unit);
-    let found = Design::from_value(&plain::value(design)).and_then(|design| match (length, speed) {
+    let found = Design::from_value(&levalab_edge::value(design)).and_then(|design| match (length, speed) {
         (Some(unit), _) => design.in_unit(unit).map(Some),
         (None, Some(unit)) => design.in_speed_unit(unit).map(Some),
         (None, None) => Ok(None),
@@ -24,6 +25,6 @@ pub fn in_unit(
     object(&match found {
         Ok(Some(design)) => Read::Design(Box::new(design)),
         Ok(None) => return Err(JsError::new("no such unit")),
-        Err(error) => Read::Error(speak(language(words), &error)),
+        Err(error) => Read::Error(Failure::of(language(words), &error)),
     })
 }

@@ -1,8 +1,8 @@
 //! Diagrams on the page: plotters-canvas where they are looked at, SVG where they are printed.
 
 use crate::lab::{Beside, Current, Lab};
-use crate::{object, plain};
 use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour};
+use levalab_edge::object;
 use plotters::prelude::IntoDrawingArea;
 use plotters_canvas::CanvasBackend;
 use serde::Serialize;
@@ -84,7 +84,7 @@ pub(crate) fn paint(canvas: HtmlCanvasElement, diagram: &Diagram, style: &Style)
 
 /// A style from the page's own, and whether it is by time.
 pub(crate) fn style_of(style: &JsValue) -> Result<(Style, bool), JsError> {
-    let wanted = PageStyle(plain::value(style));
+    let wanted = PageStyle(levalab_edge::value(style));
     let style = wanted.style().ok_or_else(|| JsError::new(NO_STYLE))?;
     Ok((style, wanted.is("per_second")))
 }
@@ -94,7 +94,7 @@ const NO_STYLE: &str = "the style lacks a number";
 fn prepare(lab: &Lab, diagram: &str, style: &JsValue, second: Option<bool>) -> Result<(Diagram, Style), JsError> {
     let current = lab.drawn(second)?;
     let quantity = Quantity::by_name(diagram).ok_or_else(|| JsError::new("no such diagram"))?;
-    let wanted = PageStyle(plain::value(style));
+    let wanted = PageStyle(levalab_edge::value(style));
     let style = wanted.style().ok_or_else(|| JsError::new(NO_STYLE))?;
     let per_second = wanted.is("per_second");
     let seen = |current: &Current| {

@@ -1,8 +1,9 @@
 //! The current cam: checked, analysed, and asked about until the next good one takes its place.
 
+use crate::instant;
 use crate::report::{PageReport, cures};
-use crate::{Failure, instant, language, object, plain, speak};
 use levalab_core::{Analysis, Cam, Column, Svaj};
+use levalab_edge::{Failure, language, object};
 use levalab_format::report::{Report, column, scale_of};
 use levalab_format::{Design, DesignError};
 use plotters::style::RGBColor;
@@ -67,14 +68,14 @@ impl Lab {
         #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
     ) -> Result<JsValue, JsError> {
         let language = language(words);
-        object(&match analyse(&plain::value(design), samples) {
+        object(&match analyse(&levalab_edge::value(design), samples) {
             Ok((current, second)) => {
                 let report = PageReport::of(&current, second.as_ref(), language);
                 self.current = Some(Rc::new(current));
                 self.second = second;
                 Opened::Report(Box::new(report))
             }
-            Err(error) => Opened::Error(speak(language, &error)),
+            Err(error) => Opened::Error(Failure::of(language, &error)),
         })
     }
 

@@ -5,7 +5,6 @@
 //! tables of a second one would be a fifth of this module.
 
 mod application;
-mod auto;
 mod compare;
 mod convert;
 mod diagrams;
@@ -14,30 +13,22 @@ mod lab;
 mod marks;
 mod mechanism;
 mod pair;
-mod plain;
 mod report;
-mod solve;
+mod sheet;
 
 pub use lab::Lab;
 
 use levalab_core::Tie;
-use levalab_format::{Design, DesignError, link};
-use levalab_words::Language;
+use levalab_edge::{Failure, language, object, value};
+use levalab_format::{Design, link};
 use serde::Serialize;
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, SolutionNode, TieKey } from "../types.d.ts";
+import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
 "#;
-
-/// What is wrong, where, in the language of the page.
-#[derive(Serialize)]
-pub struct Failure {
-    path: String,
-    message: String,
-}
 
 /// The room for a second cam tied in one way: a good value, and between which values it has its place (no greatest for a distance).
 #[derive(Serialize)]
@@ -81,9 +72,9 @@ pub fn read_design(
     design: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
 ) -> Result<JsValue, JsError> {
-    object(&match Design::from_value(&plain::value(design)) {
+    object(&match Design::from_value(&value(design)) {
         Ok(design) => Read::Design(Box::new(design)),
-        Err(error) => Read::Error(speak(language(words), &error)),
+        Err(error) => Read::Error(Failure::of(language(words), &error)),
     })
 }
 
@@ -97,9 +88,9 @@ pub fn room_for_second(
     design: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "TieKey")] key: &str,
 ) -> Result<JsValue, JsError> {
-    let mut value = plain::value(design);
-    let (tie, radius) = tie_of(&mut value, key);
-    let room = Design::from_value(&value).and_then(|design| design.room_for_second(tie, radius));
+    let mut given = value(design);
+    let (tie, radius) = tie_of(&mut given, key);
+    let room = Design::from_value(&given).and_then(|design| design.room_for_second(tie, radius));
     let finite = |value: f64| value.is_finite().then_some(value);
     object(&room.ok().flatten().map(|room| PageRoom {
         value: room.tie.value(),
@@ -120,17 +111,4 @@ pub(crate) fn tie_of(design: &mut Value, key: &str) -> (Tie, Option<f64>) {
         _ => Tie::BaseRadius(0.0),
     };
     (tie, radius)
-}
-
-fn speak(language: Language, error: &DesignError) -> Failure {
-    Failure { path: error.path.to_string(), message: levalab_words::design_error(language, error) }
-}
-
-fn language(code: &str) -> Language {
-    Language::from_tag(code).unwrap_or_default()
-}
-
-/// A plain JavaScript object.
-fn object<T: Serialize>(value: &T) -> Result<JsValue, JsError> {
-    Ok(value.serialize(&serde_wasm_bindgen::Serializer::json_compatible())?)
 }

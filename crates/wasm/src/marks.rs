@@ -1,6 +1,5 @@
 //! What the diagram of s shows of the data of free laws.
 
-use crate::plain;
 use levalab_format::{Design, MarkKind, marks};
 use wasm_bindgen::prelude::*;
 
@@ -8,7 +7,7 @@ use wasm_bindgen::prelude::*;
 /// from the segment's start, and in the cycle; height; how much higher the curve lies there. Empty for what is no design.
 #[wasm_bindgen]
 pub fn data_marks(design: &JsValue) -> Vec<f64> {
-    let Ok((design, cam)) = Design::open(&plain::value(design)) else { return Vec::new() };
+    let Ok((design, cam)) = Design::open(&levalab_edge::value(design)) else { return Vec::new() };
     let numbers = marks(&design, &cam).into_iter().flat_map(|mark| {
         let kind = match mark.kind {
             MarkKind::Point => 0.0,

@@ -1,6 +1,7 @@
 //! Why a design has no second cam. For the module that is loaded on demand.
 
-use crate::{language, plain, tie_of};
+use crate::tie_of;
+use levalab_edge::language;
 use levalab_format::Design;
 use wasm_bindgen::prelude::*;
 
@@ -11,7 +12,7 @@ pub fn why_no_second(
     #[wasm_bindgen(unchecked_param_type = "TieKey")] key: &str,
     #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
 ) -> Option<String> {
-    let mut value = plain::value(design);
+    let mut value = levalab_edge::value(design);
     let (tie, radius) = tie_of(&mut value, key);
     let design = Design::from_value(&value).ok()?;
     let (tie, report) = design.nearest_second(tie, radius)?;

@@ -77,14 +77,8 @@ fn write() -> Result<Packed> {
     fs::write(dist.join("index.html"), html::packed_as(&page.rewrite(&html), "site"))?;
     let names = names(&dist)?;
     offline::write_worker(&dist, &hash, &content_hash(&dist)?, &names)?;
-    let single = single::Parts {
-        html: &html,
-        loads: &loads,
-        scripts: &whole,
-        packed: &folder,
-        theory: &dist.join("theory"),
-        module: &wasm::package().join(wasm::WHOLE),
-    };
+    let single =
+        single::Parts { html: &html, loads: &loads, scripts: &whole, packed: &folder, theory: &dist.join("theory") };
     fs::write(dist.join(single::FILE), single.page()?).context(single::FILE)?;
     Ok(Packed { folder, first: page.first() })
 }
@@ -101,11 +95,17 @@ fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<()> {
         "single": single,
         "main": of_kind(Kind::Module).next().context("index.html names no module")?,
         "named": page::WORDS,
+        "glues": wasm::MODULES.map(glue),
         "scripts": of_kind(Kind::Script).collect::<Vec<_>>(),
         "styles": styles.collect::<Vec<_>>(),
         "sheets": theory::SHEETS,
     });
     process::run(&mut process::node(["crates/xtask/src/bundle.js", &order.to_string()]))
+}
+
+/// The generated JavaScript of a module, for the bundler.
+fn glue(module: wasm::Module) -> serde_json::Value {
+    json!({ "name": module.stem(), "file": format!("web/pkg/{}", module.glue()), "inline": module.inline })
 }
 
 /// The module's parts, icons and the like keep the place they have under `web/`.
@@ -125,9 +125,8 @@ fn copy_others(fresh: &Path) -> Result<()> {
             fs::copy(entry.path(), &place).with_context(|| place.display().to_string())?;
         }
     }
-    for module in [wasm::FIRST, wasm::WHOLE] {
-        ensure!(fresh.join("pkg").join(module).is_file(), "{module} is missing");
-    }
+    let module = fresh.join("pkg").join(wasm::PAGE.file());
+    ensure!(module.is_file(), "{} is missing", module.display());
     Ok(())
 }
 
@@ -190,7 +189,6 @@ fn print_sizes(packed: &Packed) -> Result<()> {
         if !packed.first.contains(&name) {
             let when = match name.as_str() {
                 offline::WORKER => "once drawn",
-                name if name.ends_with(wasm::WHOLE) => "once drawn",
                 single::FILE => "instead of all",
                 _ => "on demand",
             };

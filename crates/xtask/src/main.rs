@@ -1,12 +1,9 @@
 //! `cargo xtask serve | test | dist | bench | soak`: everything that builds, runs and checks LevaLab.
 
 mod bench;
-mod constants;
-mod cutting;
 mod dist;
 mod html;
 mod library;
-mod names;
 mod offline;
 mod page;
 mod process;

@@ -7,9 +7,6 @@ use crate::{
     wasm,
 };
 
-/// The module's JavaScript, relative to the packed folder.
-const GLUE: &str = "pkg/levalab_wasm.js";
-
 /// The words that every visit needs: a module a language, of which a visit loads one.
 pub const WORDS: [&str; 2] = ["web/strings/page.en.js", "web/strings/page.es.js"];
 
@@ -56,7 +53,11 @@ impl<'a> Page<'a> {
             Kind::Other => Some(self.other(load)),
             Kind::Style(_) | Kind::Hint | Kind::Page => None,
         }));
-        first.extend([self.packed(GLUE), self.packed(&format!("{ANY_WORDS}.es.js")), self.module_file()]);
+        first.extend([
+            self.packed(&format!("pkg/{}", wasm::PAGE.glue())),
+            self.packed(&format!("{ANY_WORDS}.es.js")),
+            self.module_file(),
+        ]);
         first
     }
 
@@ -67,15 +68,15 @@ impl<'a> Page<'a> {
                 "<link rel=\"preload\" href=\"{}\" as=\"fetch\" type=\"application/wasm\" crossorigin>",
                 self.module_file()
             ),
-            format!("<link rel=\"modulepreload\" href=\"{}\">", self.packed(GLUE)),
+            format!("<link rel=\"modulepreload\" href=\"{}\">", self.packed(&format!("pkg/{}", wasm::PAGE.glue()))),
             format!("<script type=\"module\" src=\"{}\"></script>", self.script(load)),
         ]
         .join("\n    ")
     }
 
-    /// The part of the module that the first picture needs.
+    /// The module of the main screen.
     fn module_file(&self) -> String {
-        self.packed(&format!("pkg/{}", wasm::FIRST))
+        self.packed(&format!("pkg/{}", wasm::PAGE.file()))
     }
 
     fn packed(&self, file: &str) -> String {

@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 
 use crate::{
     html::{self, Kind, Load},
-    theory,
+    theory, wasm,
 };
 
 /// Its name in `dist/`.
@@ -29,8 +29,6 @@ pub struct Parts<'a> {
     pub packed: &'a Path,
     /// The folder of the pages of theory.
     pub theory: &'a Path,
-    /// The module, whole.
-    pub module: &'a Path,
 }
 
 impl Parts<'_> {
@@ -66,13 +64,23 @@ impl Parts<'_> {
             Kind::Other if load.tag.contains("rel=\"icon\"") => icon.clone(),
             _ => String::new(),
         });
-        let module = BASE64.encode(fs::read(self.module).context("the module")?);
-        let data = format!("<script type=\"application/wasm;base64\" id=\"levalab-module\">{module}</script>\n  ");
+        let modules = modules()?;
         let pages = theory::packed(self.theory)?;
-        let page = page.replacen("</body>", &format!("{pages}{data}{bodies}</body>"), 1);
+        let page = page.replacen("</body>", &format!("{pages}{modules}{bodies}</body>"), 1);
         let page = html::packed_as(&page, "file");
         with_policy(&page, &scripts, &[style, reading])
     }
+}
+
+/// The modules that the page carries, each as text in a script of its own that does not run.
+fn modules() -> Result<String> {
+    let mut scripts = String::new();
+    for module in wasm::MODULES.iter().filter(|module| module.inline) {
+        let bytes = fs::read(wasm::package().join(module.file())).with_context(|| module.file())?;
+        let (name, text) = (module.stem(), BASE64.encode(bytes));
+        scripts += &format!("<script type=\"application/wasm;base64\" id=\"{name}\">{text}</script>\n  ");
+    }
+    Ok(scripts)
 }
 
 /// Its own scripts and styles by their hashes, and nothing from anywhere.

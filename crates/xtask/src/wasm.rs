@@ -1,21 +1,20 @@
-//! The machine room of the page: Rust to wasm, its JavaScript glue, and the optimiser, into `web/pkg/`. There are two modules: what
-//! every visit loads, once cut down to what the first picture runs and once whole, and what is loaded when somebody wants a file.
+//! The modules of the page: Rust to wasm, the generated JavaScript, and the optimiser, into `web/pkg/`.
+//!
+//! Every visit loads the page's own module. The others are crates of their own, loaded when their work is asked for.
 
 use std::{
-    collections::HashSet,
     env,
     ffi::{OsStr, OsString},
     fs,
     path::{Path, PathBuf},
-    process::{Command, Stdio},
+    process::Command,
 };
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::{
-    constants::{self, Constants},
-    cutting, library, names,
+    library,
     process::{self, run, told},
     project,
     setup::{self, WASM, WasmCompiler},
@@ -49,23 +48,49 @@ const FEATURES: [&str; 6] = [
     "--enable-sign-ext",
 ];
 
-/// The crates that become modules, each by itself: what one asks of a crate below must not swell the other.
-const MODULES: [&str; 2] = [PAGE, EXPORTS];
+/// A crate that becomes a module of the page.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Module {
+    /// The crate.
+    package: &'static str,
+    /// True for a module that is compiled together with a standard library made for small code.
+    small: bool,
+    /// True for a module that the single-file page carries.
+    pub inline: bool,
+}
 
-/// The module that every visit loads.
-const PAGE: &str = "levalab-wasm";
+/// The module of the main screen, which every visit loads.
+pub const PAGE: Module = Module { package: "levalab-wasm", small: true, inline: true };
 
-/// Its file, whole.
-pub const WHOLE: &str = "levalab_wasm_bg.wasm";
+/// The worked solution, the joining of requirements and the tournament, loaded on demand.
+pub const WORKSHOP: Module = Module { package: "levalab-workshop-wasm", small: true, inline: true };
 
-/// The file of what the first picture runs of it.
-pub const FIRST: &str = "levalab_first.wasm";
+/// The files for other programs, loaded on demand. Its libraries write numbers by their `Debug` form, which the small
+/// standard library leaves out.
+pub const EXPORTS: Module = Module { package: "levalab-export-wasm", small: false, inline: false };
 
-/// The module whose libraries write numbers by their `Debug` form, which must not be taken from them.
-const EXPORTS: &str = "levalab-export-wasm";
+/// All modules, each compiled by itself: what one asks of a crate below it does not swell another.
+pub const MODULES: [Module; 3] = [PAGE, WORKSHOP, EXPORTS];
+
+impl Module {
+    /// The generated JavaScript.
+    pub fn glue(self) -> String {
+        format!("{}.js", self.stem())
+    }
+
+    /// The module itself.
+    pub fn file(self) -> String {
+        format!("{}_bg.wasm", self.stem())
+    }
+
+    /// The name of the crate in the names of its files, by which the page asks for the module.
+    pub fn stem(self) -> String {
+        self.package.replace('-', "_")
+    }
+}
 
 /// Part of the stamp: raise it when the steps below change what they write.
-const RECIPE: &str = "6";
+const RECIPE: &str = "7";
 
 /// What makes the module smaller when the standard library is built from source with it: a panic stops at once instead of
 /// making a sentence that nobody reads, and carries neither places nor the `Debug` forms of values.
@@ -93,42 +118,47 @@ pub fn package() -> PathBuf {
     project::path("web/pkg")
 }
 
-/// Brings `web/pkg/` up to date; quick when nothing changed.
+/// Brings all of `web/pkg/` up to date; quick when nothing changed.
 pub fn build(build: Build) -> Result<()> {
-    library::write(&package())?;
-    MODULES.iter().try_for_each(|name| build_module(name, build))
+    build_only(&MODULES, build)
 }
 
-fn build_module(name: &str, build: Build) -> Result<()> {
-    let module = compile(name, build)?;
-    let stamp = stamp(&module, build)?;
-    let stamp_file = package().join(format!(".{name}.stamp"));
+/// Brings the lists and some modules in `web/pkg/` up to date.
+pub fn build_only(modules: &[Module], build: Build) -> Result<()> {
+    library::write(&package())?;
+    modules.iter().try_for_each(|module| build_module(*module, build))
+}
+
+fn build_module(module: Module, build: Build) -> Result<()> {
+    let compiled = compile(module, build)?;
+    let stamp = stamp(&compiled, build)?;
+    let stamp_file = package().join(format!(".{}.stamp", module.package));
     if fs::read_to_string(&stamp_file).is_ok_and(|found| found == stamp) {
         return Ok(());
     }
     if build == Build::Shipped {
         setup::node_modules()?;
     }
-    told("writing web/pkg", || write_package(name, &module, build))?;
+    told("writing web/pkg", || write_package(module, &compiled, build))?;
     fs::write(&stamp_file, stamp).with_context(|| stamp_file.display().to_string())
 }
 
-/// The module as it comes from the compiler: made small when it is shipped and the compiler can.
-fn compile(name: &str, build: Build) -> Result<PathBuf> {
+/// The module as the compiler writes it: made small when it is shipped and the compiler can.
+fn compile(module: Module, build: Build) -> Result<PathBuf> {
     let compiler = setup::wasm_compiler()?;
-    if build == Build::Shipped && name != EXPORTS && setup::library_sources(&compiler) {
-        match compile_with(name, &compiler, build, true) {
-            Ok(module) => return Ok(module),
+    if build == Build::Shipped && module.small && setup::library_sources(&compiler) {
+        match compile_with(module, &compiler, build, true) {
+            Ok(compiled) => return Ok(compiled),
             Err(error) => eprintln!("· {error:#}: once more with the standard library as it comes, a tenth larger"),
         }
     }
-    compile_with(name, &compiler, build, false)
+    compile_with(module, &compiler, build, false)
 }
 
-fn compile_with(name: &str, compiler: &WasmCompiler, build: Build, small: bool) -> Result<PathBuf> {
+fn compile_with(module: Module, compiler: &WasmCompiler, build: Build, small: bool) -> Result<PathBuf> {
     let target = project::target()?;
-    // Other flags, so another folder: neither module throws away what the other has compiled.
-    let target = if name == EXPORTS { target.join("exports") } else { target };
+    // Other flags, so another folder: no module throws away what another has compiled.
+    let target = if module.small { target } else { target.join("exports") };
     let (mut command, target) = match compiler {
         WasmCompiler::Same if small => {
             let mut command = process::cargo(["build", BUILD_STD]);
@@ -140,23 +170,18 @@ fn compile_with(name: &str, compiler: &WasmCompiler, build: Build, small: bool) 
         WasmCompiler::Debian { linker } => (debian_cargo("build", linker), target.join("debian")),
     };
     command
-        .args(["--package", name, "--lib", "--target", WASM, "--profile", build.profile()])
+        .args(["--package", module.package, "--lib", "--target", WASM, "--profile", build.profile()])
         .arg("--target-dir")
         .arg(&target)
         .args(SMALL_ARGUMENTS.iter().filter(|_| small))
-        .env("CARGO_ENCODED_RUSTFLAGS", flags(small, cut_down(name, build)));
-    told(&format!("compiling {name} for the page"), || run(&mut command))?;
-    Ok(target.join(WASM).join(build.profile()).join(file_stem(name) + ".wasm"))
-}
-
-/// The name of a crate in the names of its files.
-fn file_stem(name: &str) -> String {
-    name.replace('-', "_")
+        .env("CARGO_ENCODED_RUSTFLAGS", flags(small));
+    told(&format!("compiling {} for the page", module.package), || run(&mut command))?;
+    Ok(target.join(WASM).join(build.profile()).join(module.stem() + ".wasm"))
 }
 
 /// The crates that become modules, as cargo's arguments.
 pub fn packages() -> impl Iterator<Item = &'static str> {
-    MODULES.iter().flat_map(|name| ["--package", name])
+    MODULES.iter().flat_map(|module| ["--package", module.package])
 }
 
 /// Looks for compiler warnings in the page's modules with Debian's compiler.
@@ -182,16 +207,10 @@ fn debian_cargo(task: &str, linker: &Path) -> Command {
     command
 }
 
-/// True for a module of which the page first loads what the first picture runs.
-fn cut_down(name: &str, build: Build) -> bool {
-    name == PAGE && build == Build::Shipped
-}
-
 /// Compiler flags that keep this machine's folders out of the shipped file, and those that make it small.
-fn flags(small: bool, listed: bool) -> OsString {
+fn flags(small: bool) -> OsString {
     let sources = dependency_folders().into_iter().chain([project::root().to_path_buf()]);
     let mut flags: Vec<OsString> = SMALL_FLAGS.iter().filter(|_| small).map(OsString::from).collect();
-    flags.extend(constants::FLAGS.iter().filter(|_| listed).map(OsString::from));
     for folder in sources {
         let mut flag = OsString::from("--remap-path-prefix=");
         flag.push(folder);
@@ -218,32 +237,18 @@ fn stamp(module: &Path, build: Build) -> Result<String> {
     let bytes = fs::read(module).with_context(|| module.display().to_string())?;
     let mut checksum = flate2::Crc::new();
     checksum.update(&bytes);
-    // What is cut out of it.
-    checksum.update(include_bytes!("first-picture.js"));
     Ok(format!("{RECIPE} {} {} {:08x}", build.profile(), bytes.len(), checksum.sum()))
 }
 
 /// Writes the glue and the module beside their places, then moves them in, so that no half-written file is ever served.
-fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
+fn write_package(module: Module, compiled: &Path, build: Build) -> Result<()> {
     let fresh = project::target()?.join("pkg");
     if fresh.exists() {
         fs::remove_dir_all(&fresh).context("target/pkg")?;
     }
-    let linked = fs::read(module).with_context(|| module.display().to_string())?;
-    let constants = cut_down(name, build).then(|| Constants::of(&linked)).transpose()?;
-    let stem = file_stem(name);
-    let named = constants.is_some();
-    write_glue(&stem, if named { constants::without_lists(&linked)? } else { linked }, named, &fresh)?;
-    let glue = fresh.join(format!("{stem}.js"));
-    let module = fresh.join(format!("{stem}_bg.wasm"));
+    write_glue(module, compiled, &fresh)?;
     if build == Build::Shipped {
-        let (short, renamed) = names::shorten(&fs::read_to_string(&glue)?, &fs::read(&module)?)?;
-        fs::write(&glue, short)?;
-        fs::write(&module, renamed)?;
-        optimise(&module, named)?;
-    }
-    if name == PAGE {
-        cut(&glue, &module, constants.as_ref())?;
+        optimise(&fresh.join(module.file()))?;
     }
     let package = package();
     fs::create_dir_all(&package).context("web/pkg")?;
@@ -255,47 +260,18 @@ fn write_package(name: &str, module: &Path, build: Build) -> Result<()> {
     Ok(())
 }
 
-/// Writes what the first picture needs of a module beside it, whose constants are joined again; of one whose constants are not told apart,
-/// what it needs is all.
-fn cut(glue: &Path, module: &Path, constants: Option<&Constants>) -> Result<()> {
-    let first = module.with_file_name(FIRST);
-    let Some(constants) = constants else {
-        fs::copy(module, first)?;
-        return Ok(());
-    };
-    let whole = fs::read(module)?;
-    fs::write(module, cutting::joined(&whole)?)?;
-    fs::write(&first, cutting::first(&whole, &entered(glue, &whole)?, constants)?)?;
-    optimise(&first, false)
-}
-
-/// The numbers of the stretches of code that the first picture enters.
-fn entered(glue: &Path, whole: &[u8]) -> Result<HashSet<usize>> {
-    let watched = glue.with_extension("watched");
-    // Node takes it for a module by its ending alone.
-    let script = glue.with_extension("mjs");
-    fs::write(&watched, cutting::watched(whole)?)?;
-    fs::copy(glue, &script)?;
-    let mut picture = process::node([Path::new("crates/xtask/src/first-picture.js"), &script, &watched]);
-    let output = picture.stderr(Stdio::inherit()).output().context("node did not start")?;
-    ensure!(output.status.success(), "the first picture could not be drawn");
-    fs::remove_file(watched)?;
-    fs::remove_file(script)?;
-    serde_json::from_slice(&output.stdout).context("first-picture.js printed no JSON")
-}
-
-fn write_glue(stem: &str, module: Vec<u8>, named: bool, folder: &Path) -> Result<()> {
+fn write_glue(module: Module, compiled: &Path, folder: &Path) -> Result<()> {
+    let bytes = fs::read(compiled).with_context(|| compiled.display().to_string())?;
     let mut bindgen = Bindgen::new();
-    bindgen.input_bytes(stem, module).web(true)?.typescript(true).omit_default_module_path(false);
-    bindgen.remove_name_section(!named).remove_producers_section(true);
+    bindgen.input_bytes(&module.stem(), bytes).web(true)?.typescript(true).omit_default_module_path(false);
+    bindgen.remove_name_section(true).remove_producers_section(true);
     bindgen.generate(folder).context("wasm-bindgen")
 }
 
-/// Optimises a file in its place; `named` functions keep their names.
-fn optimise(module: &Path, named: bool) -> Result<()> {
+/// Optimises a file in its place.
+fn optimise(module: &Path) -> Result<()> {
     let mut command = process::node([project::npm_tool("binaryen/bin/wasm-opt")]);
     command.arg("-Oz").args(FEATURES).args(["--strip-producers", "--strip-target-features"]);
-    command.args(["--debuginfo"].iter().filter(|_| named));
     command.arg(module).arg("-o").arg(module);
     run(&mut command)
 }

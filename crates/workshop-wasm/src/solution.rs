@@ -1,7 +1,7 @@
 //! The worked solution of a design: a tree for the page to make nodes of, and text to copy.
 
-use crate::{language, plain};
 use js_sys::Array;
+use levalab_edge::{language, value};
 use levalab_format::Design;
 use levalab_formula::{Element, Node};
 use levalab_solve::{Document, Request, Symbols, Worked, html, latex, markdown, solve};
@@ -40,7 +40,7 @@ pub fn solution_text(
 }
 
 fn solved(design: &JsValue, language: Language, theta: Option<f64>, segment: Option<usize>) -> Option<Document> {
-    let worked = Worked::of(Design::from_value(&plain::value(design)).ok()?).ok()?;
+    let worked = Worked::of(Design::from_value(&value(design)).ok()?).ok()?;
     let segment = segment.filter(|&k| k < worked.segments());
     let symbols = Symbols::of(&worked.design);
     Some(solve(&worked, &Request { language, theta, segment, symbols }))

@@ -1,11 +1,10 @@
-//! A design from what its machine must do, and the sheet on which that is drawn.
+//! The sheet on which requirements are drawn.
 
 use crate::diagrams::{paint, style_of};
-use crate::{Failure, language, object, plain, speak};
 use levalab_chart::Diagram;
 use levalab_core::Analysis;
-use levalab_format::{Design, joined};
-use serde::Serialize;
+use levalab_edge::value;
+use levalab_format::Design;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -15,36 +14,6 @@ const STEPS: usize = 360;
 /// Room above the highest requirement, to draw one that is higher, and below the base circle, for its handles: parts of the height.
 const ABOVE: f64 = 0.3;
 const BELOW: f64 = 0.04;
-
-/// A design that was joined, and why its gaps are as they are.
-#[derive(Serialize)]
-struct PageJoined {
-    design: Design,
-    choices: Vec<String>,
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "snake_case")]
-enum Answer {
-    Joined(Box<PageJoined>),
-    Error(Failure),
-}
-
-/// Joins the requirements of an object such as `levalab auto` reads.
-///
-/// # Errors
-/// Never: what cannot be joined is an answer.
-#[wasm_bindgen]
-pub fn join_requirements(wanted: &JsValue, words: &str) -> Result<JsValue, JsError> {
-    let language = language(words);
-    object(&match joined(&plain::value(wanted)) {
-        Ok(joined) => {
-            let choices = levalab_words::join_choices(language, &joined.design, &joined.choices, joined.taste);
-            Answer::Joined(Box::new(PageJoined { design: joined.design, choices }))
-        }
-        Err(error) => Answer::Error(speak(language, &error)),
-    })
-}
 
 /// Draws the sheet for requirements of the `heights` given: over empty axes, or over the displacement of a joined design. Shows exactly the
 /// heights `held` (low and high) when there are two, and otherwise all there is, with room to draw. Says where the plot is.
@@ -60,7 +29,7 @@ pub fn draw_sheet(
     held: &[f64],
 ) -> Result<JsValue, JsError> {
     let (style, _) = style_of(style)?;
-    let opened = Design::open(&plain::value(design)).ok();
+    let opened = Design::open(&value(design)).ok();
     let curve = opened.map(|(design, cam)| {
         let analysis = Analysis::of(&cam, STEPS);
         let unit = if design.is_oscillating() { 1_f64.to_degrees() } else { 1.0 };
