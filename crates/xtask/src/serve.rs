@@ -5,6 +5,7 @@ use std::{
     io::{self, BufRead, BufReader, Read, Write},
     net::{SocketAddr, TcpListener, TcpStream},
     path::{Component, Path, PathBuf},
+    sync::{Condvar, Mutex, PoisonError},
     thread,
     time::{Duration, SystemTime},
 };
@@ -43,8 +44,7 @@ const WATCH: Duration = Duration::from_secs(1);
 /// Serves until stopped.
 pub fn run(options: &Options) -> Result<()> {
     let build = if options.release { Build::Shipped } else { Build::Quick };
-    wasm::build(build)?;
-    theory::build()?;
+    wasm::build_only(&[wasm::PAGE], build)?;
     let listener = listen(options.port)?;
     announce(listener.local_addr().context("no address")?, options.no_open);
     thread::spawn(move || {
@@ -53,7 +53,49 @@ pub fn run(options: &Options) -> Result<()> {
             thread::spawn(move || drop(answer(connection)));
         }
     });
-    watch(build)
+    let seen = newest();
+    report(build_all(build));
+    ON_DEMAND.arrived();
+    watch(build, seen)
+}
+
+/// The modules and pages that the page loads on demand: they are built while the page is already open.
+static ON_DEMAND: OnDemand = OnDemand { built: Mutex::new(false), changed: Condvar::new() };
+
+/// Whether the files of the parts on demand have been built once.
+struct OnDemand {
+    built: Mutex<bool>,
+    changed: Condvar,
+}
+
+impl OnDemand {
+    /// The folders that hold them.
+    const FOLDERS: [&str; 2] = ["/web/pkg/", "/web/theory/"];
+
+    fn arrived(&self) {
+        *self.built.lock().unwrap_or_else(PoisonError::into_inner) = true;
+        self.changed.notify_all();
+    }
+
+    /// Returns when the build is over, at once for an address outside of [`Self::FOLDERS`].
+    fn wait_for(&self, url: &str) {
+        if Self::FOLDERS.iter().any(|folder| url.starts_with(folder)) {
+            let built = self.built.lock().unwrap_or_else(PoisonError::into_inner);
+            drop(self.changed.wait_while(built, |built| !*built));
+        }
+    }
+}
+
+fn build_all(build: Build) -> Result<()> {
+    wasm::build(build)?;
+    theory::build()
+}
+
+fn report(built: Result<()>) {
+    match built {
+        Ok(()) => println!("ready: every part of the page is built (reload to see a change)"),
+        Err(error) => eprintln!("{error:#}"),
+    }
 }
 
 fn listen(port: Option<u16>) -> Result<TcpListener> {
@@ -96,8 +138,13 @@ fn answer(mut connection: TcpStream) -> io::Result<()> {
         }
     }
     let asked = request.strip_prefix("GET ").and_then(|rest| rest.split(' ').next());
-    let file = asked.and_then(|url| file_of(url, project::root()));
-    let found = file.and_then(|file| Some((fs::read(&file).ok()?, media_type(&file))));
+    let found = asked.and_then(|url| {
+        found(url).or_else(|| {
+            // A part that is asked for before it is built arrives when it is.
+            ON_DEMAND.wait_for(url);
+            found(url)
+        })
+    });
     let (status, media, bytes) = match found {
         Some((bytes, media)) => ("200 OK", media, bytes),
         None => ("404 Not Found", "text/plain; charset=utf-8", b"Not found\n".to_vec()),
@@ -108,6 +155,12 @@ fn answer(mut connection: TcpStream) -> io::Result<()> {
         "HTTP/1.1 {status}\r\nContent-Type: {media}\r\nContent-Length: {length}\r\nCache-Control: no-cache\r\nConnection: close\r\n\r\n"
     )?;
     connection.write_all(&bytes)
+}
+
+/// The bytes behind a request, and their media type.
+fn found(url: &str) -> Option<(Vec<u8>, &'static str)> {
+    let file = file_of(url, project::root())?;
+    Some((fs::read(&file).ok()?, media_type(&file)))
 }
 
 /// The file behind a request: `index.html` or something under `web/`, nothing hidden, nothing outside.
@@ -144,8 +197,7 @@ fn media_type(file: &Path) -> &'static str {
 }
 
 /// Rebuilds after each change of a Rust file; a file that does not compile waits for the next change.
-fn watch(build: Build) -> ! {
-    let mut seen = newest();
+fn watch(build: Build, mut seen: Option<SystemTime>) -> ! {
     loop {
         thread::sleep(WATCH);
         let now = newest();
@@ -153,10 +205,7 @@ fn watch(build: Build) -> ! {
             continue;
         }
         seen = now;
-        match wasm::build(build).and_then(|()| theory::build()) {
-            Ok(()) => println!("ready: reload the page"),
-            Err(error) => eprintln!("{error:#}"),
-        }
+        report(build_all(build));
     }
 }
 
