@@ -43,7 +43,6 @@ mod form;
 mod interference;
 mod join;
 pub mod law;
-pub mod nearest;
 mod parameter;
 mod program;
 mod samples;

@@ -10,7 +10,6 @@ use crate::{
 };
 use levalab_core::application::Magnitude;
 use levalab_core::law::{Condition, Data};
-use levalab_core::nearest::nearest;
 use levalab_core::{Parameter, Quantity, Tie};
 use std::f64::consts::TAU;
 
@@ -252,12 +251,7 @@ const DIGITS: [usize; 2] = [14, 15];
 
 /// The nearest number of so many digits.
 fn rounded(value: f64, digits: usize) -> f64 {
-    let text = format!("{:.*e}", digits - 1, value.abs());
-    let size = text.split_once('e').and_then(|(mantissa, exponent)| {
-        let exponent: i32 = exponent.parse().ok()?;
-        Some(nearest(&mantissa.replace('.', ""), exponent + 1 - digits as i32))
-    });
-    size.map_or(value, |size| size.copysign(value) + 0.0)
+    format!("{value:.*e}", digits - 1).parse().map_or(value, |rounded: f64| rounded + 0.0)
 }
 
 #[cfg(test)]

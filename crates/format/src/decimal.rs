@@ -1,6 +1,6 @@
 //! Sums of decimals without rounding: what was typed adds up as on paper.
 
-use levalab_core::nearest::nearest;
+use crate::digits::decimal;
 use std::iter::Sum;
 use std::ops::{Add, Neg, Sub};
 
@@ -51,7 +51,7 @@ impl Decimal {
             return whole;
         }
         // Through its digits, which read back to the nearest; dividing would round twice.
-        let value = nearest(&self.0.unsigned_abs().to_string(), -DECIMALS);
+        let value = decimal(self.0.unsigned_abs(), -DECIMALS);
         if self.0 < 0 { -value } else { value }
     }
 }

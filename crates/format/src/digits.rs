@@ -1,7 +1,5 @@
 //! Numbers as a person would write them: with few digits, but with as many as it takes.
 
-use levalab_core::nearest::nearest;
-
 /// Significant digits that a number is told with when they are enough.
 pub(crate) const DIGITS: i32 = 4;
 
@@ -33,7 +31,13 @@ pub(crate) fn round(value: f64, digits: i32, how: fn(f64) -> f64) -> f64 {
     }
     let place = value.abs().log10().floor() as i32 + 1 - digits;
     let units = how(value / 10_f64.powi(place));
-    nearest(&(units.abs() as u64).to_string(), place).copysign(value)
+    decimal(units.abs() as u128, place).copysign(value)
+}
+
+/// The `f64` nearest to `digits`·10^`power`; infinite beyond the greatest.
+pub(crate) fn decimal(digits: u128, power: i32) -> f64 {
+    // A number in this form is always read.
+    format!("{digits}e{power}").parse().unwrap_or(f64::NAN)
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 use super::names::{Meaning, longest};
 use super::{Constant, Expression, ExpressionFault, ExpressionProblem, MAX_EXPRESSION, Op};
-use crate::nearest;
 use std::ops::Range;
 
 /// Deepest nesting of parentheses, signs and powers.
@@ -181,8 +180,8 @@ impl Parser {
             self.at += 1 + sign;
             digits(self, &mut text);
         }
-        match nearest::parse(&text) {
-            Some(value) if value.is_finite() => {
+        match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => {
                 self.ops.push(Op::Number(value));
                 Ok(())
             }

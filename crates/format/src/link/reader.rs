@@ -156,7 +156,7 @@ impl<'a> Fields<'a> {
             let sign = usize::from(text[end + 1..].starts_with('-'));
             end = digits(end + 1 + sign);
         }
-        levalab_core::nearest::parse(self.split(end))
+        self.split(end).parse().ok()
     }
 
     pub fn take(&mut self, c: char) -> bool {
