@@ -20,6 +20,7 @@ import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
 import { inSight, letterOf, placeText, seesSecond } from "./stage/place.js";
 import { PLOTS, TABS, styleOf, tabOf, unitOf } from "./stage/plots.js";
 import { vectorDrawings } from "./stage/print.js";
+import { watchVisibility } from "./stage/visibility.js";
 import { plain } from "./signs.js";
 
 /** plotters draws at whole pixels: with fewer than two of them for a CSS pixel slow curves show steps. */
@@ -64,6 +65,9 @@ export function mount(root, context) {
   /** @type {ReturnType<typeof createMarks> | null} */
   let marks = null;
   let drawing = false;
+  const { inView } = watchVisibility(plots);
+  const drawAll = inView(paintAll);
+  const moved = inView(metered(drawCursor));
 
   new ResizeObserver(() => {
     palette = readPalette();
@@ -92,7 +96,6 @@ export function mount(root, context) {
     for (const { plot, canvas } of Object.values(figures)) canvas.setAttribute("aria-label", diagramInWords(context, plot));
   });
 
-  const moved = metered(drawCursor);
   store.subscribe(["cursor", "highlight"], (_, changed) => {
     if (!changed.has("report") && !changed.has("tab") && !changed.has("perSecond") && !changed.has("language") && !changed.has("second")) moved();
   });
@@ -150,7 +153,7 @@ export function mount(root, context) {
   }
 
   /** Draws the curves of the chosen tab: once a design, size, theme or language. */
-  function drawAll() {
+  function paintAll() {
     if (!ready()) return;
     if (width === 0 || height === 0) measure();
     if (width === 0 || height === 0) return;

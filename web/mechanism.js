@@ -16,6 +16,7 @@ import { Pen } from "./stage/pen.js";
 import { Scene } from "./stage/scene.js";
 import { createSight } from "./stage/sight.js";
 import { fitView } from "./stage/view.js";
+import { watchVisibility } from "./stage/visibility.js";
 
 /** Free room around the picture, CSS pixels. */
 const MARGIN = 14;
@@ -55,10 +56,11 @@ export function mount(root, context) {
   /** The text alternative. */
   const describe = atRest(() => canvas.setAttribute("aria-label", mechanismInWords(context)));
 
-  const draw = metered(() => {
+  const paint = metered(() => {
     if (!scene || width === 0) return;
     scene.draw(pen, store.state, instant(context), format, width, height);
   });
+  const draw = watchVisibility(frame).inView(paint);
   const sight = createSight(pen.view, fitted, () => store.touch("window"));
 
   new ResizeObserver(() => {
@@ -82,11 +84,11 @@ export function mount(root, context) {
 
   addEventListener("beforeprint", () => {
     pen.palette = paperPalette();
-    draw();
+    paint();
   });
   addEventListener("afterprint", () => {
     pen.palette = readPalette();
-    draw();
+    paint();
   });
 
   store.subscribe(["report"], () => {

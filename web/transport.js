@@ -8,6 +8,7 @@ import { parseNumber } from "./numbers.js";
 import { WHEEL, bounced, cycleOf, decimalsOf, inside, positionOf, rateAt, stepped, stride, turned } from "./stage/clock.js";
 import { closeFrame, metered } from "./stage/meter.js";
 import { letterOf, placeText, unitOfPlace } from "./stage/place.js";
+import { watchVisibility } from "./stage/visibility.js";
 
 /** Turns per second when nothing else is known. */
 const CALM = 0.25;
@@ -62,20 +63,24 @@ export function mount(root, { store, t, format }) {
     closeFrame();
     if (!moves()) {
       running = false;
+      run();
       return;
     }
     advance(now);
     requestAnimationFrame(tick);
   }
 
-  const moves = () => store.state.playing && store.state.rate !== 0 && !document.hidden;
+  // Out of sight the cam stands still, and goes on from there. A page that is in view goes on whatever part of it is scrolled away.
+  const page = watchVisibility(document.body);
+  const moves = () => store.state.playing && store.state.rate !== 0 && !document.hidden && page.visible();
 
-  function run() {
+  /** Waits for the page to be in view. */
+  const run = page.inView(() => {
     if (running || !moves()) return;
     running = true;
     before = NaN;
     requestAnimationFrame(tick);
-  }
+  });
 
   document.addEventListener("visibilitychange", run);
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) store.set({ playing: false });

@@ -14,6 +14,7 @@ import { FLAG, drawOverlay } from "../stage/overlay.js";
 import { onAppearance, readPalette } from "../stage/palette.js";
 import { letterOf, placeText } from "../stage/place.js";
 import { PLOTS, styleOf } from "../stage/plots.js";
+import { watchVisibility } from "../stage/visibility.js";
 
 /** Device pixels to a CSS pixel, as for the other diagrams. */
 const LEAST_RATIO = 2;
@@ -50,9 +51,7 @@ export function createPlots(context, work) {
 
   new ResizeObserver(() => draw()).observe(plots);
   onAppearance(() => draw());
-  store.subscribe(["cursor", "highlight"], () => {
-    if (root.isConnected && root.offsetParent) drawCursor();
-  });
+  store.subscribe(["cursor", "highlight"], watchVisibility(plots).inView(drawCursor));
 
   /** @param {number} index */
   function figure(index) {
