@@ -232,7 +232,7 @@ export function mount(root, context) {
     lightSegment(within ? report.borders.findIndex((border) => border > hover) - 1 : -1);
     drawCursor();
   });
-  wheelCursor(overlay, store);
+  wheelCursor(overlay, store, () => t("diagram.hint.wheel"));
   overlay.addEventListener("pointerleave", () => {
     hover = NaN;
     lightSegment(-1);

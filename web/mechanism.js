@@ -122,6 +122,7 @@ export function mount(root, context) {
       pointer = point;
       tellPointer();
     },
+    hints: () => ({ wheel: t("stage.hint.wheel"), finger: t("stage.hint.finger") }),
   });
   if (/** @type {State["report"] | undefined} */ (store.state.report)) rebuild();
   menu.update();

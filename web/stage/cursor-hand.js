@@ -5,6 +5,7 @@
  * @import { Row } from "./overlay.js"
  */
 import { cycleOf, inside, played, stepped, stride } from "./clock.js";
+import { isFramed, sharedGestures } from "./framed.js";
 import { thetaAt } from "./overlay.js";
 
 /** A turn ends where it begins: its last place on a diagram lies so much before, degrees. */
@@ -57,12 +58,15 @@ export function moveCursor(overlay, store, row, passing) {
  * A step a notch, as with the arrow keys.
  * @param {HTMLCanvasElement} overlay
  * @param {Store} store
+ * @param {() => string} hint  how the wheel is used in a frame of another page
  */
-export function wheelCursor(overlay, store) {
+export function wheelCursor(overlay, store, hint) {
+  const shared = sharedGestures(overlay, () => ({ wheel: hint() }));
   overlay.addEventListener(
     "wheel",
     (event) => {
-      if (event.ctrlKey) return;
+      // Ctrl with the wheel is the browser's own zoom, but in a frame it is what leaves the plain wheel to the page around.
+      if ((event.ctrlKey && !isFramed()) || !shared.ownsWheel(event)) return;
       event.preventDefault();
       const way = Math.sign(event.deltaY || event.deltaX);
       const cycle = cycleOf(store.state.report);

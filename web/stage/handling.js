@@ -5,6 +5,7 @@
  * @import { View } from "./view.js"
  */
 import { cycleOf, inside, played } from "./clock.js";
+import { sharedGestures } from "./framed.js";
 import { worldX, worldY } from "./view.js";
 
 /** What a notch of the wheel and a press of + or − multiply the scale by. */
@@ -24,6 +25,7 @@ const SHOVE = 40;
  * @property {(dx: number, dy: number) => void} pan
  * @property {() => void} fit
  * @property {(point: { x: number, y: number } | null) => void} hover  world point under the pointer
+ * @property {() => { wheel: string, finger: string }} hints  how wheel and fingers reach the picture in a frame of another page
  */
 
 /** @param {Target} target */
@@ -33,9 +35,10 @@ export function handle(target) {
   const fingers = new Map();
   /** Angle of the pointer about the cam's centre while the cam is held, rad; its place across, of a cam that travels. */
   let held = NaN;
+  const shared = sharedGestures(canvas, target.hints);
 
   canvas.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
+    if (event.button !== 0 || !shared.ownsPress(event)) return;
     canvas.setPointerCapture(event.pointerId);
     fingers.set(event.pointerId, { x: event.offsetX, y: event.offsetY });
     held = NaN;
@@ -78,6 +81,7 @@ export function handle(target) {
   canvas.addEventListener(
     "wheel",
     (event) => {
+      if (!shared.ownsWheel(event)) return;
       event.preventDefault();
       const pixels = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? event.deltaY * 32 : event.deltaY;
       target.zoom(NOTCH ** -pixels, event.offsetX, event.offsetY);

@@ -13,6 +13,8 @@ export const stageEn = {
   "stage.pointer.travel": "x {x}  y {y} {unit} · at {place} {unit} of the cam",
   "stage.keys":
     "Left and right arrows turn the cam by 1°, with Shift by 10°, with Alt by 0.1°. Home and End go to the ends of the turn, Space plays and pauses. Plus, minus and zero zoom in, zoom out and fit; Ctrl with arrows moves the picture.",
+  "stage.hint.wheel": "Ctrl + wheel zooms",
+  "stage.hint.finger": "Tap the picture first, then drag",
   "stage.follower.translating-roller": "a translating roller follower",
   "stage.follower.translating-knife": "a translating knife-edge follower",
   "stage.follower.translating-curved": "a translating mushroom follower",
@@ -57,6 +59,7 @@ export const stageEn = {
   "diagram.title": "Diagrams",
   "diagram.cursor": "Cam angle θ in the diagrams",
   "diagram.cursor.travel": "Place of the cam x in the diagrams",
+  "diagram.hint.wheel": "Ctrl + wheel moves the cursor",
   "diagram.cams": "Cam shown",
   "diagram.cam.first": "Cam 1",
   "diagram.cam.second": "Cam 2",

@@ -13,6 +13,8 @@ export const stageEs = {
   "stage.pointer.travel": "x {x}  y {y} {unit} · a {place} {unit} de la leva",
   "stage.keys":
     "Las flechas izquierda y derecha giran la leva 1°; con Mayúsculas, 10°; con Alt, 0,1°. Inicio y Fin van a los extremos de la vuelta y la barra espaciadora anima o detiene. Más, menos y cero acercan, alejan y encuadran; Ctrl con las flechas desplaza el dibujo.",
+  "stage.hint.wheel": "Ctrl + rueda acerca y aleja",
+  "stage.hint.finger": "Primero toque el dibujo y luego arrastre",
   "stage.follower.translating-roller": "seguidor de traslación con rodillo",
   "stage.follower.translating-knife": "seguidor de traslación con cuchilla",
   "stage.follower.translating-curved": "seguidor de traslación con cara curva",
@@ -57,6 +59,7 @@ export const stageEs = {
   "diagram.title": "Diagramas",
   "diagram.cursor": "Ángulo de la leva θ en los diagramas",
   "diagram.cursor.travel": "Posición de la leva x en los diagramas",
+  "diagram.hint.wheel": "Ctrl + rueda mueve el cursor",
   "diagram.cams": "Leva a la vista",
   "diagram.cam.first": "Leva 1",
   "diagram.cam.second": "Leva 2",
