@@ -32,7 +32,7 @@ async function exported(page, format, choices = {}, say = en) {
     else await control.fill(value);
   }
   const download = page.waitForEvent("download");
-  await dialog.locator("button[type=submit]").click();
+  await dialog.locator("button.primary").click();
   const file = await download;
   await dialog.waitFor({ state: "hidden" });
   return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
@@ -90,10 +90,10 @@ test("what cannot be made is told in the window, which stays", async (t) => {
   const dialog = await openExports(page);
   await dialog.locator("#export-format").selectOption("stl");
   await dialog.locator("#export-bore").fill("80");
-  await dialog.locator("button[type=submit]").click();
+  await dialog.locator("button.primary").click();
   await becomes(() => dialog.getByRole("alert").innerText(), /profile comes to/);
   await dialog.locator("#export-bore").fill("wide");
-  await dialog.locator("button[type=submit]").click();
+  await dialog.locator("button.primary").click();
   await becomes(() => dialog.getByRole("alert").innerText(), /wide/);
   assert(await dialog.isVisible());
   await page.keyboard.press("Escape");

@@ -4,6 +4,7 @@
  * @import { ExportOrder, ShellContext } from "../types.d.ts"
  */
 import { h } from "../dom.js";
+import { pressOnEnter } from "../enter.js";
 import { fieldText, parseNumber } from "../numbers.js";
 import { createTexts } from "../texts.js";
 import { loadExports } from "./writers.js";
@@ -35,10 +36,9 @@ export function createExportDialog({ store, t, format, announce }) {
   const about = h("p");
   const alarm = h("p", { class: "alarm", role: "alert" });
   const close = texts.text(h("button", { type: "button" }), "export.close");
-  const save = texts.text(h("button", { type: "submit", class: "primary" }), "export.save");
+  const save = texts.text(h("button", { type: "button", class: "primary" }), "export.save");
   const rows = h("div", { class: "fields" });
-  const form = h("form", {}, rows, about, alarm, h("div", { class: "row" }, close, save));
-  const dialog = h("dialog", { class: "export-dialog", "aria-labelledby": heading.id }, heading, form);
+  const dialog = h("dialog", { class: "export-dialog", "aria-labelledby": heading.id }, heading, rows, about, alarm, h("div", { class: "row" }, close, save));
 
   const kind = select("format", FORMATS, (value) => t(`export.format.${value}`));
   const what = select("what", ["cam", "svaj", ...DIAGRAMS, "application"], (value) => (["cam", "svaj", "application"].includes(value) ? t(`export.what.${value}`) : sentence(t(`diagram.name.${value}`))));
@@ -155,8 +155,8 @@ export function createExportDialog({ store, t, format, announce }) {
     announce(t("export.saved", { name: saveBlob(blob, design.title, `${part}.${chosen}`) }));
   }
 
-  form.addEventListener("submit", async (event) => {
-    event.preventDefault();
+  pressOnEnter(rows, save);
+  save.addEventListener("click", async () => {
     alarm.textContent = "";
     save.disabled = true;
     try {

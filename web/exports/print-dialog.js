@@ -4,6 +4,7 @@
  * @import { ShellContext } from "../types.d.ts"
  */
 import { h } from "../dom.js";
+import { pressOnEnter } from "../enter.js";
 import { createTexts } from "../texts.js";
 import { reportOnPaper } from "./report.js";
 import { dressed } from "./words.js";
@@ -19,16 +20,17 @@ export function createPrintDialog(context) {
   const heading = texts.text(h("h2", { id: "print-heading" }), "print.title");
   const table = h("select", { id: "print-table" }, ...STEPS.map((value) => h("option", { value })));
   const close = texts.text(h("button", { type: "button" }), "export.close");
-  const go = texts.text(h("button", { type: "submit", class: "primary" }), "print.go");
+  const go = texts.text(h("button", { type: "button", class: "primary" }), "print.go");
   const label = texts.text(h("label", { for: table.id }), "print.table");
-  const form = h(
-    "form",
-    {},
-    h("div", { class: "fields" }, h("div", { class: "field" }, label, table)),
+  const fields = h("div", { class: "fields" }, h("div", { class: "field" }, label, table));
+  const dialog = h(
+    "dialog",
+    { class: "export-dialog", "aria-labelledby": heading.id },
+    heading,
+    fields,
     texts.text(h("p"), "print.about"),
     h("div", { class: "row" }, close, go),
   );
-  const dialog = h("dialog", { class: "export-dialog", "aria-labelledby": heading.id }, heading, form);
   texts.also(() => {
     for (const option of table.options) {
       const step = Number(option.value);
@@ -37,8 +39,8 @@ export function createPrintDialog(context) {
   });
   table.value = "10";
 
-  form.addEventListener("submit", async (event) => {
-    event.preventDefault();
+  pressOnEnter(fields, go);
+  go.addEventListener("click", async () => {
     dialog.close();
     await report.ready(Number(table.value));
     print();
