@@ -10,6 +10,7 @@ import { createFiles } from "./files.js";
 import { icon } from "./icons.js";
 import { onDemand } from "./on-demand.js";
 import { createShare } from "./share.js";
+import { createSkips } from "./skip.js";
 import { learn } from "./strings/index.js";
 import { createTexts } from "./texts.js";
 import { createTitleField } from "./title-field.js";
@@ -44,6 +45,7 @@ export function mount(root, context, engine) {
   texts.attribute(projector, "title", "header.projector.hint");
 
   root.append(
+    ...createSkips(texts),
     texts.attribute(h("h1", {}, "LevaLab"), "title", "app.tagline"),
     title.input,
     h(

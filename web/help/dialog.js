@@ -40,6 +40,7 @@ function create(context) {
     ...row(texts.text(h("dd"), "help.step"), key("←"), key("→")),
     ...row(texts.text(h("dd"), "help.undo"), key("Ctrl Z"), key("Ctrl Y")),
     ...row(texts.text(h("dd"), "help.step-field"), key("↑"), key("↓")),
+    ...row(texts.text(h("dd"), "help.marks"), key("←"), key("→")),
     ...row(texts.text(h("dd"), "help.escape"), key("Esc")),
     ...row(texts.text(h("dd"), "help.scrub"), words.drag()),
     ...row(texts.text(h("dd"), "help.move"), key("Alt ↑"), key("Alt ↓"), words.or(), words.drag()),

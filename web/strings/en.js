@@ -22,6 +22,8 @@ export const en = {
   "banner.file": "The file was not opened. {reason}",
   "banner.file.json": "A design file is JSON text, such as the one that this page saves, and this is not.",
 
+  "skip.design": "Skip to the design",
+  "skip.diagrams": "Skip to the diagrams",
   "header.title": "Title of the design",
   "header.examples": "Examples",
   "header.undo": "Undo",
@@ -52,6 +54,7 @@ export const en = {
   "header.projector.hint": "Larger type and strokes, without the design panel (P)",
   "header.help": "Help",
   "mark.what": "What is:",
+  "mark.how": "Arrow keys lead to the other question marks.",
 
 
   "edit.follower": "change of follower",

@@ -22,6 +22,8 @@ export const es = {
   "banner.file": "No se ha abierto el archivo. {reason}",
   "banner.file.json": "Un archivo de diseño es texto JSON, como el que guarda esta página, y este no lo es.",
 
+  "skip.design": "Ir al diseño",
+  "skip.diagrams": "Ir a los diagramas",
   "header.title": "Título del diseño",
   "header.examples": "Ejemplos",
   "header.undo": "Deshacer",
@@ -52,6 +54,7 @@ export const es = {
   "header.projector.hint": "Letra y trazos más grandes, sin el panel de diseño (P)",
   "header.help": "Ayuda",
   "mark.what": "Qué es:",
+  "mark.how": "Las flechas llevan a los demás signos de interrogación.",
 
 
   "edit.kind": "tipo de leva",

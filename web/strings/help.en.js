@@ -9,6 +9,7 @@ export const helpEn = {
   "help.pin": "Pin this design, to compare it with others",
   "help.projector": "Projector view",
   "help.step-field": "In a field: one step up or down (Shift ×10, Alt ÷10)",
+  "help.marks": "On a question mark: the one before or after it",
   "help.escape": "In a field: the value it had",
   "help.scrub": "On a label: drag sideways to change the number",
   "help.move": "On a segment's number or law: move it",

@@ -9,6 +9,7 @@ export const helpEs = {
   "help.pin": "Fijar este diseño para compararlo con otros",
   "help.projector": "Vista de proyector",
   "help.step-field": "En un campo: un paso arriba o abajo (Mayús ×10, Alt ÷10)",
+  "help.marks": "En un signo de interrogación: el anterior o el siguiente",
   "help.escape": "En un campo: el valor que tenía",
   "help.scrub": "Sobre un rótulo: arrastrar a los lados cambia el número",
   "help.move": "En el número o la ley de un tramo: moverlo",
