@@ -16,4 +16,24 @@
   if (!("page" in document.documentElement.dataset)) document.documentElement.lang = spoken;
   const { words } = document.currentScript?.dataset ?? {};
   if (words) document.head.append(Object.assign(document.createElement("link"), { rel: "modulepreload", href: `${words}.${spoken}.js` }));
+
+  /** Shows the sentence in index.html that names the single file, which needs nothing but itself; it opens the same design. */
+  const nameSingleFile = () => {
+    const sentence = document.getElementById("unstarted");
+    for (const link of sentence?.querySelectorAll("a") ?? []) link.hash = location.hash;
+    sentence?.removeAttribute("hidden");
+  };
+  // A page without an origin, in a frame with a sandbox or from disk, may load classic scripts such as this one, but no modules. Only the
+  // tag of the module learns of it, and its event does not rise: it is caught on the way down.
+  if (origin === "null") {
+    addEventListener(
+      "error",
+      ({ target }) => {
+        if (!(target instanceof HTMLScriptElement) || target.type !== "module") return;
+        if (document.readyState === "loading") addEventListener("DOMContentLoaded", nameSingleFile);
+        else nameSingleFile();
+      },
+      true,
+    );
+  }
 }
