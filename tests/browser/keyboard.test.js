@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
-  LINKS, announced, baseRadiusCure, becomes, beta, cursor, cursorField, en, eventually, field, findings, fragment, frames, law, level, literal, openStill, program, redo, undo,
+  LINKS, announced, baseRadiusCure, becomes, beta, cursor, cursorField, en, es, eventually, field, findings, fragment, frames, law, level, literal, openStill, program, redo, undo,
 } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -87,6 +87,78 @@ for (const fragmentOf of /** @type {const} */ (["9RT", "R1"])) {
     assert.notEqual((await focused(page))?.index, last?.index, "Shift+Tab is trapped");
   });
 }
+
+test("the first stops of Tab skip to the design and to the diagrams, and leaving is a few presses from there", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"], locale: "es-ES" });
+  const [design, diagrams] = [page.getByRole("button", { name: es("skip.design"), exact: true }), page.getByRole("button", { name: es("skip.diagrams"), exact: true })];
+  const width = async (/** @type {import("playwright-core").Locator} */ skip) => (await skip.boundingBox())?.width ?? 0;
+  const has = (/** @type {import("playwright-core").Locator} */ control) => control.evaluate((node) => node === document.activeElement);
+  assert((await width(design)) <= 2, "not seen before it has the focus");
+  await page.keyboard.press("Tab");
+  assert(await has(design));
+  assert((await width(design)) > 50);
+  await page.keyboard.press("Tab");
+  assert(await has(diagrams));
+  await page.keyboard.press("Enter");
+  assert(await has(page.locator("#diagrams")));
+  await page.keyboard.press("Tab");
+  assert(await has(page.locator(".diagram-overlay")), "the first control of the diagrams");
+  let presses = 4;
+  while (await page.evaluate(() => document.activeElement !== document.body)) {
+    await page.keyboard.press("Tab");
+    presses++;
+  }
+  assert(presses <= 25, `${presses} presses to leave`);
+  await design.focus();
+  await page.keyboard.press("Enter");
+  assert(await has(page.locator("#design")));
+  await page.keyboard.press("Tab");
+  assert(await page.locator("#design").evaluate((panel) => panel.contains(document.activeElement)));
+  assert.equal(await page.locator("#design").getAttribute("tabindex"), null, "a click beside its controls gives it no focus");
+  assert.equal(await fragment(page), LINKS["9RT"], "the address keeps the design");
+  await page.getByRole("button", { name: es("header.projector"), exact: true }).click();
+  await becomes(() => design.isVisible(), false);
+});
+
+test("question marks of a group are one stop of Tab, and arrows lead from each to the next", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const term = () => page.evaluate(() => document.activeElement?.getAttribute("data-term") ?? null);
+  const described = () => page.evaluate(() => document.activeElement?.getAttribute("aria-describedby") ?? null);
+  /** @type {Record<string, number>} */
+  const stopped = {};
+  for (let i = 0; i < MOST; i++) {
+    await page.keyboard.press("Tab");
+    if (await page.evaluate(() => document.activeElement === document.body)) break;
+    const group = await page.evaluate(() => (document.activeElement?.matches(".mark") ? document.activeElement.closest("section")?.id : undefined));
+    if (group) stopped[group] = (stopped[group] ?? 0) + 1;
+  }
+  assert.deepEqual(stopped, { design: 1, readouts: 1, verdict: 1 });
+
+  await tabTo(page, page.locator('#readouts [data-term="theta"]'));
+  assert.equal(await page.locator(`#${await described()}`).textContent(), en("mark.how"));
+  const way = [];
+  for (const key of ["ArrowRight", "ArrowDown", "ArrowLeft", "End", "ArrowRight", "ArrowUp", "Home", "ArrowRight"]) {
+    await page.keyboard.press(key);
+    way.push(await term());
+  }
+  assert.deepEqual(way, ["t", "s", "t", "sliding", "theta", "sliding", "theta", "t"]);
+  assert.equal(await described(), null, "said once, where Tab arrives");
+  await becomes(() => cursor(page), 0);
+  // Tab leaves the group, and comes back to where it was left.
+  await page.keyboard.press("Tab");
+  assert.equal(await term(), null);
+  await page.keyboard.press("Shift+Tab");
+  assert.equal(await term(), "t");
+  // A stop that goes out of sight leaves its place to another.
+  await page.locator('#design [data-term="rotation"]').click();
+  await page.keyboard.press("Escape");
+  await page.getByRole("dialog").waitFor({ state: "hidden" });
+  await field(page, "kind").selectOption("translating");
+  await page.locator('#design [data-term="rotation"]').waitFor({ state: "hidden" });
+  await field(page, "kind").focus();
+  await page.keyboard.press("Tab");
+  assert.equal(await term(), "kind");
+});
 
 test("Space plays and pauses when nothing has the focus, as the help says", async (t) => {
   const { page } = await openStill(t);
