@@ -197,6 +197,40 @@ for (const locale of ["en-GB", "es-ES"]) {
   });
 }
 
+for (const [size, theme] of /** @type {const} */ ([
+  [{ width: 700, height: 450 }, "light"],
+  [{ width: 844, height: 390 }, "dark"],
+  [{ width: 1100, height: 450 }, "light"],
+])) {
+  test(`a low frame or a phone on its side, ${size.width} × ${size.height}: nothing lies over anything else`, async (t) => {
+    for (const locale of ["en-GB", "es-ES"]) {
+      const { page } = await openStill(t, { viewport: size, locale, colorScheme: theme });
+      for (const link of ["", LINKS.R1, LINKS["2RO"], LINKS["10EX"], BREADTH]) {
+        await page.evaluate((link) => void (link && (location.hash = link)), link);
+        await frames(page, 4);
+        assert.equal((await overflow(page)).across, 0, link);
+        assert.deepEqual(await outside(page, true), [], link);
+        // The verdict is meant to stay in sight over what scrolls under it.
+        assert.deepEqual((await overlapping(page)).filter((pair) => !pair.includes("verdict")), [], link);
+        assert(await verdictInSight(page), link);
+        const lost = await page.evaluate(() =>
+          [["#mechanism .stage-bar", "#mechanism"], ["#mechanism canvas", "#mechanism"], [".diagram-plots", "#diagrams"], ["#verdict", "body"]].filter(([part, whole]) => {
+            const [inner, outer] = [document.querySelector(part ?? "")?.getBoundingClientRect(), document.querySelector(whole ?? "")?.getBoundingClientRect()];
+            return !inner || !outer || inner.height < 20 || inner.top < outer.top - 1 || inner.bottom > outer.bottom + 1;
+          }),
+        );
+        assert.deepEqual(lost, [], link);
+        if (size.width > 1080) continue;
+        // Picture and what moves it are in the window together.
+        const [canvas, play] = [await page.locator("#mechanism canvas").boundingBox(), await page.locator("#transport .transport-play").boundingBox()];
+        const verdictTop = await verdict(page).evaluate((node) => node.getBoundingClientRect().top);
+        assert(canvas && canvas.height >= 150 && canvas.y >= 0, `the picture is ${canvas?.height} high`);
+        assert(play && play.y + play.height <= verdictTop + 1, "the transport is under the verdict");
+      }
+    }
+  });
+}
+
 test("on a phone every control is large enough for a finger", async (t) => {
   const { page } = await openStill(t, { viewport: PHONE, hasTouch: true, isMobile: true });
   const small = await page.evaluate(() =>
