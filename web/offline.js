@@ -10,9 +10,10 @@ const STALE = 3_600_000;
 
 /** @param {ShellContext} context */
 export async function keepOffline(context) {
-  const { serviceWorker } = navigator;
   const registration = await register();
   if (!registration) return;
+  // Only now: in a frame without an origin it throws.
+  const { serviceWorker } = navigator;
   let asked = false;
   // Without a controller it is the first visit of all, and nothing is old.
   let first = !serviceWorker.controller;

@@ -36,7 +36,8 @@ export function recentDesigns(check) {
 
 /** The entries that open tabs are at work on. @returns {Promise<Set<string>>} */
 export async function inOtherTabs() {
-  const { held = [] } = (await navigator.locks?.query()) ?? {};
+  // A frame without an origin has locks and refuses to tell of them; it has no entries either.
+  const { held = [] } = (await navigator.locks?.query().catch(() => undefined)) ?? {};
   return new Set(held.flatMap(({ name = "" }) => (own.has(name) ? [] : [name])));
 }
 
