@@ -53,8 +53,7 @@ function create(context) {
 
   /** @param {"" | "terms-" | "manual-"} page @param {string} label @param {string} hint */
   function link(page, label, hint) {
-    // The first has the focus: with the last button, a phone would show the end of the window.
-    const anchor = texts.text(h("a", { target: "_blank", rel: "noopener", autofocus: page === "manual-" }), label);
+    const anchor = texts.text(h("a", { target: "_blank", rel: "noopener" }), label);
     texts.also(() => (anchor.href = addressOf(`${page}${store.state.language}.html`)));
     return h("li", {}, anchor, " ", texts.text(h("span"), hint));
   }
