@@ -1,6 +1,8 @@
 // A real browser with the packed page in it.
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
+import { mkdir, mkdtemp, rm, writeFile } from "node:fs/promises";
+import { tmpdir } from "node:os";
 import path from "node:path";
 import { chromium } from "playwright-core";
 import { startSite } from "./site.js";
@@ -39,9 +41,33 @@ const PLACES = [
 
 /** @param {string[]} [flags] further flags @param {string} [downloadsPath] */
 export function launchBrowser(flags = [], downloadsPath) {
-  const executablePath = process.env.LEVALAB_BROWSER ?? PLACES.find((place) => existsSync(place));
-  assert(executablePath, "no browser found: name its program in LEVALAB_BROWSER");
-  return chromium.launch({ executablePath, args: [...FLAGS, ...flags], downloadsPath });
+  return chromium.launch({ executablePath: program(), args: [...FLAGS, ...flags], downloadsPath });
+}
+
+/**
+ * A browser whose user has blocked cookies, and with them storage, locks and workers of every page.
+ * @param {import("node:test").TestContext} t  after which it closes
+ * @param {import("playwright-core").BrowserContextOptions} options
+ */
+export async function launchWithoutStorage(t, options) {
+  const profile = await mkdtemp(path.join(tmpdir(), "levalab-profile-"));
+  await mkdir(path.join(profile, "Default"));
+  const blocked = 2;
+  const preferences = { profile: { default_content_setting_values: { cookies: blocked } } };
+  await writeFile(path.join(profile, "Default", "Preferences"), JSON.stringify(preferences));
+  const context = await chromium.launchPersistentContext(profile, { executablePath: program(), args: FLAGS, ...options });
+  t.after(async () => {
+    await context.close();
+    await rm(profile, { recursive: true, force: true });
+  });
+  return context;
+}
+
+/** The browser's program. */
+function program() {
+  const found = process.env.LEVALAB_BROWSER ?? PLACES.find((place) => existsSync(place));
+  assert(found, "no browser found: name its program in LEVALAB_BROWSER");
+  return found;
 }
 
 /**

@@ -4,7 +4,7 @@ import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { after, test } from "node:test";
-import { launchBrowser, startDist } from "./browser.js";
+import { launchBrowser, launchWithoutStorage, startDist } from "./browser.js";
 import { startSite } from "./site.js";
 import { LINKS, becomes, cursor, en, es, eventually, field, frames, level, picture } from "./user.js";
 
@@ -67,18 +67,27 @@ const pause = (ms) => new Promise((resume) => setTimeout(resume, ms));
 /**
  * A course page with the page in a frame of it.
  * @param {import("node:test").TestContext} t
- * @param {{ sandbox?: string, file?: string, fragment?: string, options?: import("playwright-core").BrowserContextOptions, size?: { width: number, height: number } }} [given]
+ * @param {object} [given]
+ * @param {string} [given.sandbox]
+ * @param {string} [given.file]
+ * @param {string} [given.fragment]
+ * @param {import("playwright-core").BrowserContextOptions} [given.options]
+ * @param {{ width: number, height: number }} [given.size]
+ * @param {boolean} [given.storage]  false: the browser keeps nothing for anybody
+ * @param {boolean} [given.sameOrigin]  the course's own server has the page
  */
-async function course(t, { sandbox, file = "", fragment = "", options = {}, size = FRAME } = {}) {
-  const { url } = await (sharedSite ??= startDist());
+async function course(t, { sandbox, file = "", fragment = "", options = {}, size = FRAME, storage = true, sameOrigin = false } = {}) {
   const folder = await mkdtemp(path.join(tmpdir(), "levalab-course-"));
+  const own = sameOrigin ? await startDist({ "/course/": folder }) : undefined;
+  const { url } = own ?? (await (sharedSite ??= startDist()));
   const allowed = sandbox === undefined ? "" : ` sandbox="${sandbox}"`;
   const frameTag = `<iframe title="cam" src="${url}${file}${fragment && `#${fragment}`}" width="${size.width}" height="${size.height}" style="border: 0; display: block"${allowed}></iframe>`;
   const html = `<!doctype html><meta name="viewport" content="width=device-width"><title>Course</title><body style="margin: 0"><h1 style="margin: 0; height: ${FRAME.above}px">Cams</h1>${frameTag}<div style="height: ${FRAME.below}px"></div>`;
   await writeFile(path.join(folder, "index.html"), html);
-  const site = await startSite({ "/course/": folder });
-  browser ??= launchBrowser();
-  const context = await (await browser).newContext({ viewport: { width: 1000, height: 720 }, locale: "en-GB", reducedMotion: "reduce", ...options });
+  const site = own ?? (await startSite({ "/course/": folder }));
+  /** @satisfies {import("playwright-core").BrowserContextOptions} */
+  const usual = { viewport: { width: 1000, height: 720 }, locale: "en-GB", reducedMotion: /** @type {const} */ ("reduce"), ...options };
+  const context = storage ? await (await (browser ??= launchBrowser())).newContext(usual) : await launchWithoutStorage(t, usual);
   await context.addInitScript(countDrawing);
   const page = await context.newPage();
   /** @type {string[]} */
@@ -93,8 +102,8 @@ async function course(t, { sandbox, file = "", fragment = "", options = {}, size
     await rm(folder, { recursive: true });
     assert.deepEqual(complaints, [], "the page misbehaved");
   });
-  // By another name of this machine: another site, and not only another origin.
-  await page.goto(`${site.origin.replace("127.0.0.1", "localhost")}/course/`);
+  // By another name of this machine it is another site, and not only another origin.
+  await page.goto(`${own ? own.origin : site.origin.replace("127.0.0.1", "localhost")}/course/`);
   const frame = await eventually(async () => page.frames()[1], (found) => assert(found?.url().startsWith(url)));
   return { page, frame: /** @type {Frame} */ (frame), url };
 }
@@ -237,28 +246,31 @@ test("a finger over the mechanism scrolls the course page, and turns the cam onc
   assert.equal(await far(), 0, "now the finger turns the cam");
 });
 
-test("nothing is drawn while the frame is scrolled out of view, and everything is up to date when it comes back", async (t) => {
-  const { page, frame } = await course(t, { size: { width: 1366, height: 700 }, options: { viewport: { width: 1400, height: 860 }, reducedMotion: "no-preference" } });
-  await drawn(frame);
-  const turning = await drawnDuring(frame, () => pause(500));
-  assert(turning.mechanism > 0 && turning.cursor > 0, JSON.stringify(turning));
-  await page.evaluate(() => scrollTo(0, 2000));
-  await pause(500);
-  const place = await cursor(inside(frame));
-  const away = await drawnDuring(frame, () => pause(700));
-  assert.deepEqual(away, { mechanism: 0, diagrams: 0, cursor: 0 });
-  assert.equal(await cursor(inside(frame)), place, "the cam stands still, and goes on from there");
-  // Another design arrives meanwhile.
-  await frame.evaluate((link) => void (location.hash = link), LINKS["2RO"]);
-  const back = await drawnDuring(frame, async () => {
-    await pause(300);
-    await page.evaluate(() => scrollTo(0, 0));
-    await becomes(() => level(inside(frame)), "acceptable");
+// Of another origin, a frame out of view gets no frames of animation from some browsers; of the same origin it does.
+for (const sameOrigin of [true, false]) {
+  test(`nothing is drawn while the frame is scrolled out of view, and it is up to date when it comes back, ${sameOrigin ? "same" : "another"} origin`, async (t) => {
+    const { page, frame } = await course(t, { sameOrigin, size: { width: 1366, height: 700 }, options: { viewport: { width: 1400, height: 860 }, reducedMotion: "no-preference" } });
+    await drawn(frame);
+    const turning = await drawnDuring(frame, () => pause(500));
+    assert(turning.mechanism > 0 && turning.cursor > 0, JSON.stringify(turning));
+    await page.evaluate(() => scrollTo(0, 2000));
     await pause(500);
+    const place = await cursor(inside(frame));
+    const away = await drawnDuring(frame, () => pause(700));
+    assert.deepEqual(away, { mechanism: 0, diagrams: 0, cursor: 0 });
+    assert.equal(await cursor(inside(frame)), place, "the cam stands still, and goes on from there");
+    // Another design arrives meanwhile.
+    await frame.evaluate((link) => void (location.hash = link), LINKS["2RO"]);
+    const back = await drawnDuring(frame, async () => {
+      await pause(300);
+      await page.evaluate(() => scrollTo(0, 0));
+      await becomes(() => level(inside(frame)), "acceptable");
+      await pause(500);
+    });
+    assert(back.mechanism > 0 && back.diagrams > 0 && back.cursor > 0, JSON.stringify(back));
+    await eventually(() => cursor(inside(frame)), (theta) => assert.notEqual(theta, place));
   });
-  assert(back.mechanism > 0 && back.diagrams > 0 && back.cursor > 0, JSON.stringify(back));
-  await eventually(() => cursor(inside(frame)), (theta) => assert.notEqual(theta, place));
-});
+}
 
 test("on a phone diagrams that are scrolled away are not drawn, and show the last edit when they come back", async (t) => {
   const { url } = await (sharedSite ??= startDist());
@@ -370,19 +382,32 @@ for (const [locale, wording, other] of /** @type {const} */ ([
   });
 }
 
-test("the single file works in a frame without an origin, where nothing can be kept", async (t) => {
-  const { frame } = await course(t, { sandbox: "allow-scripts", file: "levalab.html" });
-  await drawn(frame);
-  assert.equal(await frame.evaluate(() => origin), "null");
-  const denied = await frame.evaluate(() => {
+/** What the browser answers when something is to be kept. @param {Frame} frame */
+const keeping = (frame) =>
+  frame.evaluate(() => {
     try {
-      return localStorage.length;
+      return String(localStorage.length);
     } catch (error) {
       return String(error);
     }
   });
-  assert.match(String(denied), /SecurityError/);
-  await useDialogs(frame, { single: true });
+
+for (const [where, given] of /** @type {const} */ ([
+  ["in the single file under a sandbox", { sandbox: "allow-scripts", file: "levalab.html" }],
+  ["in a browser that blocks cookies", { storage: false }],
+])) {
+  test(`where nothing can be kept all windows work: ${where}`, async (t) => {
+    const { frame } = await course(t, given);
+    await drawn(frame);
+    assert.match(await keeping(frame), /SecurityError/);
+    await useDialogs(frame, { single: "file" in given });
+  });
+}
+
+test("the single file is edited and explained in a frame without an origin", async (t) => {
+  const { frame } = await course(t, { sandbox: "allow-scripts", file: "levalab.html", fragment: LINKS.R1 });
+  await drawn(frame);
+  assert.equal(await frame.evaluate(() => origin), "null");
   await field(inside(frame), "base_radius").fill("0.3");
   await becomes(() => level(inside(frame)), "low-speed");
   await frame.locator("#readouts .mark").first().click();
