@@ -4,9 +4,13 @@
  * @import { ShellContext } from "./types.d.ts"
  */
 import { showNotice } from "./notice.js";
+import { isSingleFile } from "./packed.js";
 
 /** Milliseconds after which a page that comes back into sight asks for a newer release. */
 const STALE = 3_600_000;
+
+/** The worker of this page: of the one with many files, or of the single file. */
+const ADDRESS = new URL(isSingleFile() ? "levalab-worker.js" : "worker.js", document.baseURI).href;
 
 /** @param {ShellContext} context */
 export async function keepOffline(context) {
@@ -15,8 +19,8 @@ export async function keepOffline(context) {
   // Only now: in a frame without an origin it throws.
   const { serviceWorker } = navigator;
   let asked = false;
-  // Without a controller it is the first visit of all, and nothing is old.
-  let first = !serviceWorker.controller;
+  // Without a worker of its own in control it is the first visit of all, and nothing is old.
+  let first = serviceWorker.controller?.scriptURL !== ADDRESS;
   let looked = Date.now();
 
   /** @param {ServiceWorker | null} waiting */
@@ -50,15 +54,26 @@ export async function keepOffline(context) {
   });
 }
 
-/** None in private windows, or where the server is not secure. @returns {Promise<ServiceWorkerRegistration | undefined>} */
+/**
+ * None in private windows, or where the server is not secure. The page's worker answers for the folder of the page, the single file's
+ * for that file alone, whatever it is called there.
+ * @returns {Promise<ServiceWorkerRegistration | undefined>}
+ */
 async function register() {
-  const address = new URL("worker.js", document.baseURI).href;
-  const { trustedTypes } = /** @type {{ trustedTypes?: { createPolicy(name: string, rules: object): { createScriptURL(address: string): string } } }} */ (/** @type {unknown} */ (globalThis));
-  // The page's policy wants a name for whoever says which script may run: this one says it of one address.
-  const policy = trustedTypes?.createPolicy("levalab-worker", { createScriptURL: (/** @type {string} */ asked) => (asked === address ? asked : "about:blank") });
   try {
-    return await navigator.serviceWorker.register(policy?.createScriptURL(address) ?? address);
+    return await navigator.serviceWorker.register(trusted(), isSingleFile() ? { scope: location.pathname } : undefined);
   } catch {
     return undefined;
   }
+}
+
+/** @type {{ createScriptURL(address: string): string } | undefined} */
+let policy;
+
+/** The worker's address, said to be a script of ours by the name that the page's policy has for this one purpose. */
+function trusted() {
+  /** @type {{ createPolicy(name: string, rules: { createScriptURL(address: string): string }): { createScriptURL(address: string): string } } | undefined} */
+  const factory = Reflect.get(globalThis, "trustedTypes");
+  policy ??= factory?.createPolicy("levalab-worker", { createScriptURL: (address) => (address === ADDRESS ? address : "about:blank") });
+  return policy?.createScriptURL(ADDRESS) ?? ADDRESS;
 }

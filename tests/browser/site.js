@@ -17,14 +17,47 @@ const MEDIA = {
 };
 
 /**
+ * What somebody on the way answers in the server's place.
+ * @typedef {object} WrongAnswer
+ * @property {Buffer} body
+ * @property {number} [after]  right answers before it
+ * @property {Record<string, string>} [headers]
+ */
+
+/**
+ * @typedef {object} Site
+ * @property {string} origin
+ * @property {() => void} close
+ * @property {() => string[]} asked  paths that were asked for
+ * @property {(path: string | undefined, answer?: WrongAnswer) => void} answerWrongly  from now on, with status 200; without a path no longer
+ * @property {() => number} wrongAnswers
+ * @property {(from: string, to: string) => void} redirect
+ */
+
+/**
  * Serves folders on a free port of this machine.
  * @param {Record<string, string>} mounts path with slashes around it → folder
- * @returns {Promise<{ origin: string, close: () => void }>}
+ * @returns {Promise<Site>}
  */
 export async function startSite(mounts) {
   /** @type {Map<string, Promise<Buffer>>} */
   const packed = new Map();
+  /** @type {string[]} */
+  const asked = [];
+  /** @type {{ path?: string, answer?: WrongAnswer, before: number, given: number }} */
+  let wrong = { before: 0, given: 0 };
+  /** @type {Map<string, string>} */
+  const redirects = new Map();
   const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url ?? "/", "http://site");
+    asked.push(pathname);
+    if (pathname === wrong.path && wrong.answer && wrong.before-- <= 0) {
+      wrong.given++;
+      response.writeHead(200, { "content-type": "text/html", ...wrong.answer.headers }).end(wrong.answer.body);
+      return;
+    }
+    const target = redirects.get(pathname);
+    if (target) return void response.writeHead(302, { location: target }).end();
     const file = fileOf(mounts, request.url ?? "/");
     try {
       if (!file) throw new Error("outside");
@@ -42,6 +75,10 @@ export async function startSite(mounts) {
   if (!address || typeof address === "string") throw new Error("no port");
   return {
     origin: `http://127.0.0.1:${address.port}`,
+    asked: () => asked,
+    answerWrongly: (path, answer) => (wrong = { path, answer, before: answer?.after ?? 0, given: 0 }),
+    wrongAnswers: () => wrong.given,
+    redirect: (from, to) => void redirects.set(from, to),
     close() {
       server.close();
       server.closeAllConnections();

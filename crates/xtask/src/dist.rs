@@ -13,7 +13,7 @@ use walkdir::WalkDir;
 
 use crate::{
     html::{self, Kind, Load},
-    offline,
+    offline::{self, Release},
     page::{self, Page},
     process::{self, told},
     project, setup, single,
@@ -75,12 +75,21 @@ fn write() -> Result<Packed> {
     theory::publish(&folder, &dist, &hash)?;
     let page = Page::new(&hash, &loads);
     fs::write(dist.join("index.html"), html::packed_as(&page.rewrite(&html), "site"))?;
-    let names = names(&dist)?;
-    offline::write_worker(&dist, &hash, &content_hash(&dist)?, &names)?;
+    let page_files = names(&dist)?;
     let single =
         single::Parts { html: &html, loads: &loads, scripts: &whole, packed: &folder, theory: &dist.join("theory") };
     fs::write(dist.join(single::FILE), single.page()?).context(single::FILE)?;
+    write_workers(&dist, &hash, &page_files)?;
     Ok(Packed { folder, first: page.first() })
+}
+
+/// Writes what keeps the page, and what keeps the single file.
+fn write_workers(dist: &Path, folder: &str, page_files: &[String]) -> Result<()> {
+    let page = Release { worker: offline::WORKER, folder, page: "index.html", files: page_files };
+    page.write_worker(dist)?;
+    let file = [single::FILE.to_owned()];
+    let single = Release { worker: offline::SINGLE_WORKER, folder: "", page: single::FILE, files: &file };
+    single.write_worker(dist)
 }
 
 /// Joins and minifies scripts and styles.
@@ -189,7 +198,7 @@ fn print_sizes(packed: &Packed) -> Result<()> {
         if !packed.first.contains(&name) {
             let when = match name.as_str() {
                 offline::WORKER => "once drawn",
-                single::FILE => "instead of all",
+                single::FILE | offline::SINGLE_WORKER => "instead of all",
                 _ => "on demand",
             };
             print_size(&format!("{when}: {name}"), Size::of(&dist.join(&name))?);

@@ -88,7 +88,7 @@ fn with_policy(page: &str, scripts: &[String], styles: &[String]) -> Result<Stri
     let hash = |text: &String| format!("'sha256-{}'", BASE64.encode(Sha256::digest(text)));
     let hashes = |texts: &[String]| texts.iter().map(hash).collect::<Vec<_>>().join(" ");
     let policy = format!(
-        "default-src 'none'; script-src {} 'wasm-unsafe-eval'; style-src {}; img-src data: blob:; base-uri 'none'; \
+        "default-src 'none'; script-src {} 'wasm-unsafe-eval'; style-src {}; img-src data: blob:; worker-src 'self'; base-uri 'none'; \
          form-action 'none'; require-trusted-types-for 'script'",
         hashes(scripts),
         hashes(styles)

@@ -1,9 +1,11 @@
-// Keeps the page for use without the network. xtask writes `packed` before it; "" among its files is the page itself.
+// Keeps the page for use without the network. xtask writes `packed` before it: each file with the digest of its content. "" among
+// the files is the page itself.
 //
 // A release is kept whole or not at all, and answers for the page until the next one is whole and every tab has let go of this
-// one, or somebody asks for it. So the files of two releases are never mixed.
+// one, or somebody asks for it. So the files of two releases are never mixed, and what a captive portal or a broken proxy sends in
+// the place of a file never becomes part of one.
 const worker = /** @type {any} */ (globalThis);
-/** @type {{ release: string, folder: string, files: string[] }} */
+/** @type {{ release: string, folder: string, files: Record<string, string> }} */
 const packed = worker.packed;
 /** @type {string} */
 const scope = worker.registration.scope;
@@ -20,29 +22,34 @@ worker.addEventListener("fetch", (/** @type {any} */ event) => {
   if (method !== "GET" || !url.startsWith(scope)) return;
   const inside = url.slice(scope.length).replace(/[?#].*$/, "");
   const file = inside === "index.html" ? "" : inside;
-  if (packed.files.includes(file) || file.includes("/")) event.respondWith(answer(file, event.request));
+  if (Object.hasOwn(packed.files, file) || file.includes("/")) event.respondWith(answer(file, event.request));
 });
 
-/** Fetches the release. A page that belongs to another one, since the server is changing just now, is not kept: next time. */
+/** Fetches the release. When one file is not what was packed, nothing is kept: the next visit tries again. */
 async function keep() {
+  // The page first: while the server is changing to another release, that one file says so.
   const page = await fetched("");
-  if (!(await page.clone().text()).includes(packed.folder)) throw new Error("the server has another release");
   const cache = await worker.caches.open(cacheName);
   try {
     await cache.put(scope, page);
-    await Promise.all(packed.files.filter(Boolean).map(async (file) => cache.put(scope + file, await fetched(file))));
+    const others = Object.keys(packed.files).filter(Boolean);
+    await Promise.all(others.map(async (file) => cache.put(scope + file, await fetched(file))));
   } catch (error) {
     await worker.caches.delete(cacheName);
     throw error;
   }
 }
 
-/** @param {string} file */
+/**
+ * A file just as it was packed; the browser itself compares the digest, after undoing any compression.
+ * @param {string} file
+ */
 async function fetched(file) {
-  // Past the browser's own cache, except for files whose folder is named by what is in them.
-  const response = await fetch(scope + file, { cache: file.startsWith(packed.folder) ? "default" : "reload" });
-  if (!response.ok) throw new Error(`${file}: ${response.status}`);
-  return response;
+  const ask = (/** @type {RequestCache} */ cache) => fetch(scope + file, { cache, integrity: packed.files[file] });
+  // What the page has just loaded is in the browser's own cache, but so is a wrong answer that somebody let it store.
+  const response = await (file.startsWith(packed.folder) ? ask("default").catch(() => ask("reload")) : ask("reload"));
+  // A browser refuses an answer that came by way of another address when it asks for a page.
+  return response.redirected ? new Response(response.body, { headers: response.headers }) : response;
 }
 
 /**
