@@ -219,5 +219,6 @@ test("the single file names every script and style by its hash, and nothing else
   assert.match(policy, /default-src 'none'; script-src( 'sha256-[\w+/]+=*')+ 'wasm-unsafe-eval'; style-src( 'sha256-[\w+/]+=*'){2};/);
   // From a server its worker comes from beside it.
   assert(!/unsafe-inline|'self'|https?:/.test(policy.replace("worker-src 'self';", "")), policy);
+  assert.match(policy, /require-trusted-types-for 'script'; trusted-types levalab-own levalab-worker$/);
   assert(!/<(script|link)[^>]+(src|href)="(?!data:)/.test(page), "it loads something");
 });

@@ -12,9 +12,37 @@ test("the policy allows nothing but the page's own files", async (t) => {
   const { page } = await openPage(t);
   const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute("content");
   const rules = new Set(policy?.split(";").map((rule) => rule.trim()));
-  for (const rule of ["default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "connect-src 'self'", "base-uri 'none'", "form-action 'none'"]) {
+  for (const rule of ["default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "connect-src 'self'", "base-uri 'none'", "form-action 'none'", "require-trusted-types-for 'script'", "trusted-types levalab-own levalab-worker"]) {
     assert(rules.has(rule), rule);
   }
+});
+
+/** What the browser says to somebody of that name who would vouch for scripts and markup. @param {Page} page @param {string} name */
+const vouch = (page, name) =>
+  page.evaluate((name) => {
+    try {
+      /** @type {typeof window & { trustedTypes: { createPolicy(name: string, rules: object): object } }} */ (window).trustedTypes.createPolicy(name, {});
+      return "allowed";
+    } catch (error) {
+      return /** @type {Error} */ (error).name;
+    }
+  }, name);
+
+/** A refusal is told on the console. @param {string[]} complaints */
+function forgiveRefusals(complaints) {
+  for (let i = complaints.length; i-- > 0; ) if (/Trusted ?Type/.test(complaints[i])) complaints.splice(i, 1);
+}
+
+test("no other name can vouch for a script or for markup, in the page and in its pages of theory", async (t) => {
+  const { page, url, complaints } = await openPage(t);
+  for (const name of ["default", "another", "levalab"]) assert.equal(await vouch(page, name), "TypeError", name);
+  const help = await page.locator('link[rel="help"]').getAttribute("href");
+  for (const file of ["en.html", "terms-es.html", "manual-en.html"]) {
+    await page.goto(new URL(file, new URL(help ?? "", url)).href);
+    for (const name of ["default", "levalab-own", "levalab-worker"]) assert.equal(await vouch(page, name), "TypeError", `${file}: ${name}`);
+    assert.match((await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute("content")) ?? "", /require-trusted-types-for 'script'; trusted-types 'none'$/);
+  }
+  forgiveRefusals(complaints);
 });
 
 test("the module arrives once, asked for before the script that uses it runs", async (t) => {

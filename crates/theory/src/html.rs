@@ -139,8 +139,10 @@ pub struct Page<'a> {
     pub body: String,
 }
 
-/// The policy under which the pages are shown: nothing from elsewhere, no script but the one that sets the theme.
-const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; base-uri 'none'; form-action 'none'";
+/// The policy under which the pages are shown: nothing from elsewhere, no script but the one that sets the theme, and no text that
+/// becomes markup or script.
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; base-uri 'none'; \
+    form-action 'none'; require-trusted-types-for 'script'; trusted-types 'none'";
 
 impl Page<'_> {
     /// The whole file. It lies in a folder beside `styles/`.

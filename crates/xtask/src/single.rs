@@ -89,7 +89,7 @@ fn with_policy(page: &str, scripts: &[String], styles: &[String]) -> Result<Stri
     let hashes = |texts: &[String]| texts.iter().map(hash).collect::<Vec<_>>().join(" ");
     let policy = format!(
         "default-src 'none'; script-src {} 'wasm-unsafe-eval'; style-src {}; img-src data: blob:; worker-src 'self'; base-uri 'none'; \
-         form-action 'none'; require-trusted-types-for 'script'",
+         form-action 'none'; require-trusted-types-for 'script'; trusted-types levalab-own levalab-worker",
         hashes(scripts),
         hashes(styles)
     );
