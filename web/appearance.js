@@ -28,17 +28,21 @@ export function rememberedView(usual) {
   const view = { language: firstLanguage(navigator.languages ?? [navigator.language]) };
   if (typeof kept !== "object" || kept === null) return view;
   for (const [key, value] of Object.entries(kept)) {
-    if (KNOWN[key]?.includes(value)) view[key] = value;
-    if (key === "margins" && typeof value === "object" && value !== null) {
-      view[key] = Object.fromEntries(Object.entries(value).filter(([, margin]) => margin >= 0 && Number.isFinite(margin)).slice(0, 9));
-    }
-    if (key === "layers" && typeof value === "object" && value !== null) {
-      const known = Object.entries(value).filter(([name, shown]) => name in usual.layers && typeof shown === "boolean");
+    if (Object.hasOwn(KNOWN, key) && KNOWN[key]?.includes(value)) view[key] = value;
+    if (key === "margins") view[key] = Object.fromEntries(entriesOf(value).filter(([, margin]) => isMargin(margin)).slice(0, 9));
+    if (key === "layers") {
+      const known = entriesOf(value).filter(([name, shown]) => Object.hasOwn(usual.layers, name) && typeof shown === "boolean");
       view[key] = { ...usual.layers, ...Object.fromEntries(known) };
     }
   }
   return view;
 }
+
+/** @param {unknown} value @returns {[string, unknown][]} */
+const entriesOf = (value) => (typeof value === "object" && value !== null ? Object.entries(value) : []);
+
+/** @param {unknown} margin */
+const isMargin = (margin) => typeof margin === "number" && Number.isFinite(margin) && margin >= 0;
 
 /** @param {Store & Keeper} store */
 export function follow(store) {

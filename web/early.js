@@ -12,7 +12,7 @@
   const dark = theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
   document.documentElement.dataset.theme = dark ? "dark" : "light";
   // Pages of theory have a language of their own.
-  const spoken = /^es\b/i.test(String(language)) ? "es" : "en";
+  const spoken = typeof language === "string" && /^es\b/i.test(language) ? "es" : "en";
   if (!("page" in document.documentElement.dataset)) document.documentElement.lang = spoken;
   const { words } = document.currentScript?.dataset ?? {};
   if (words) document.head.append(Object.assign(document.createElement("link"), { rel: "modulepreload", href: `${words}.${spoken}.js` }));

@@ -25,9 +25,9 @@ const PAUSE = 1000;
 export function recentDesigns(check) {
   const found = kept(BEGINNING).flatMap((name) => {
     const entry = /** @type {{ saved?: unknown, design?: unknown } | null} */ (recall(name));
-    const saved = Number(entry?.saved);
+    const saved = entry?.saved;
     const { design } = check(entry?.design ?? null);
-    if (design && Number.isFinite(saved) && Math.abs(saved) < 8.64e15) return [{ name, saved, design }];
+    if (design && typeof saved === "number" && Math.abs(saved) < 8.64e15) return [{ name, saved, design }];
     forget(name);
     return [];
   });
