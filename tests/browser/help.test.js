@@ -154,7 +154,7 @@ test("axe finds nothing on the pages, and every link leads somewhere", async (t)
   const places = new Map();
   /** @type {string[]} */
   const links = [];
-  for (const name of ["en", "es", "terms-en", "terms-es", "manual-en", "manual-es"]) {
+  for (const name of ["en", "es", "terms-en", "terms-es", "manual-en", "manual-es", "licences-en", "licences-es"]) {
     await open(page, name);
     found.push(...(await violations(page, name)));
     places.set(name, new Set(await page.locator("[id]").evaluateAll((nodes) => nodes.map(({ id }) => id))));
@@ -171,7 +171,7 @@ test("axe finds nothing on the pages, and every link leads somewhere", async (t)
 
 test("the pages fit a phone and follow the theme", async (t) => {
   const { page } = await openStill(t, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
-  for (const name of ["es", "terms-es", "manual-es"]) {
+  for (const name of ["es", "terms-es", "manual-es", "licences-es"]) {
     await open(page, name);
     const { across, paper } = await page.evaluate(() => ({
       across: document.documentElement.scrollWidth - innerWidth,
@@ -182,8 +182,30 @@ test("the pages fit a phone and follow the theme", async (t) => {
   }
 });
 
+test("the licences of everything that is built in are reached from the window behind ?, in both languages", async (t) => {
+  const { page } = await openStill(t);
+  const notices = await readFile(path.join(root, "LICENSE-THIRD-PARTY.txt"), "utf8");
+  const works = notices.split("\n").filter((line) => line.startsWith("* ")).map((line) => line.slice(2));
+  await page.keyboard.press("?");
+  for (const [words, tongue, name] of /** @type {const} */ ([[en, "EN", "licences-en"], [es, "ES", "licences-es"]])) {
+    const dialog = page.getByRole("dialog", { name: words("help.title") });
+    const link = dialog.getByRole("link", { name: words("help.licences"), exact: true });
+    const [opened] = await Promise.all([page.context().waitForEvent("page"), link.click()]);
+    await opened.waitForLoadState();
+    assert.match(opened.url(), new RegExp(`/${name}\\.html$`));
+    assert.equal(await opened.locator("h1").innerText(), words("help.licences"));
+    assert.deepEqual((await opened.locator(".works b").allInnerTexts()).sort(), [...works].sort());
+    await opened.close();
+    await page.keyboard.press("Escape");
+    if (tongue === "EN") {
+      await page.getByRole("button", { name: "ES", exact: true }).click();
+      await page.keyboard.press("?");
+    }
+  }
+});
+
 test("the pages carry a policy of their own and no script but the one for the theme", async () => {
-  for (const name of ["en", "terms-es", "manual-en"]) {
+  for (const name of ["en", "terms-es", "manual-en", "licences-es"]) {
     const html = await readFile(path.join(root, process.env.LEVALAB_PAGE ?? "dist", `theory/${name}.html`), "utf8");
     assert.match(html, /default-src 'none'; script-src 'self'/);
     assert.equal(html.match(/<script/g)?.length, 1);

@@ -49,13 +49,19 @@ function create(context) {
     ...row(texts.text(h("dd"), "help.help"), key("?")),
   );
   const about = texts.text(h("p"), "help.about");
-  const box = h("dialog", { id: "help", "aria-labelledby": heading.id }, heading, reading, tour, texts.text(h("h3"), "help.keys"), keys, about, close);
+  const licences = h("p", { class: "licences" }, anchor("licences-", "help.licences"));
+  const box = h("dialog", { id: "help", "aria-labelledby": heading.id }, heading, reading, tour, texts.text(h("h3"), "help.keys"), keys, about, licences, close);
 
   /** @param {"" | "terms-" | "manual-"} page @param {string} label @param {string} hint */
   function link(page, label, hint) {
+    return h("li", {}, anchor(page, label), " ", texts.text(h("span"), hint));
+  }
+
+  /** @param {"" | "terms-" | "manual-" | "licences-"} page @param {string} label */
+  function anchor(page, label) {
     const anchor = texts.text(h("a", { target: "_blank", rel: "noopener" }), label);
     texts.also(() => (anchor.href = addressOf(`${page}${store.state.language}.html`)));
-    return h("li", {}, anchor, " ", texts.text(h("span"), hint));
+    return anchor;
   }
 
   close.addEventListener("click", () => box.close());

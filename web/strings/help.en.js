@@ -15,6 +15,7 @@ export const helpEn = {
   "help.move": "On a segment's number or law: move it",
   "help.help": "This window",
   "help.about": "Everything is in the link: copy it to share the design or to keep it. Nothing is sent to any server. Decimal comma and point are both understood.",
+  "help.licences": "Third-party licences",
   "key.space": "Space",
   "key.drag": "drag",
   "key.or": "or",

@@ -15,6 +15,7 @@ export const helpEs = {
   "help.move": "En el número o la ley de un tramo: moverlo",
   "help.help": "Esta ventana",
   "help.about": "Todo está en el enlace: cópielo para compartir el diseño o para guardarlo. Nada se envía a ningún servidor. Se entienden la coma y el punto decimales.",
+  "help.licences": "Licencias de terceros",
   "key.space": "Espacio",
   "key.drag": "arrastrar",
   "key.or": "o",

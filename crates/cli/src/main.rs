@@ -89,7 +89,16 @@ enum Command {
         /// Link, with or without `#` and the address before it, or - for standard input.
         link: String,
     },
+    /// Writes the licences of everything that is built in.
+    #[command(visible_alias = "licences")]
+    Licenses,
 }
+
+/// The licence of LevaLab itself.
+const LICENSE: &str = include_str!("../../../LICENSE");
+
+/// Notices of the works of others that are built in.
+const THIRD_PARTY: &str = include_str!("../../../LICENSE-THIRD-PARTY.txt");
 
 #[derive(Args)]
 struct Analyze {
@@ -146,6 +155,7 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
             link::encode(&design).map_err(refused)? + "\n"
         }
         Command::Open { link } => input::design_of_link(&link, language)?.to_json(),
+        Command::Licenses => format!("{LICENSE}\n\n{THIRD_PARTY}"),
     };
     output::write(&text, language)?;
     Ok(ExitCode::SUCCESS)

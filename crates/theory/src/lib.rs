@@ -1,4 +1,4 @@
-//! The theory, the terms and the manual of LevaLab as static pages, in English and Spanish.
+//! The theory, the terms, the manual and the notices of others' works of LevaLab as static pages, in English and Spanish.
 //!
 //! Laws and followers come from their lists in the core: each has its section, with formulas printed from the curve that the core
 //! computes with. Formulas are data ([`levalab_formula`]): they are printed as MathML, and the tests evaluate them against the core.
@@ -10,6 +10,7 @@ mod figure;
 mod followers;
 pub mod html;
 mod laws;
+mod licences;
 mod notations;
 pub mod pages;
 mod study;

@@ -1,11 +1,11 @@
-//! The three pages of a language: theory, terms, manual.
+//! The pages of a language: theory, terms, manual, licences.
 
 use crate::html::{Labels, Page, Pen, section};
 use crate::words::concepts::{Concept, GEOMETRY, KINDS, MOTION};
 use crate::words::manual::SCREENS;
 use crate::words::terms::{GROUPS, Term};
 use crate::words::{Two, two};
-use crate::{followers, laws, notations, terms};
+use crate::{followers, laws, licences, notations, terms};
 use levalab_core::{FOLLOWERS, LAWS, Law};
 use levalab_words::Language;
 use std::collections::BTreeMap;
@@ -29,6 +29,7 @@ fn file(page: Two, language: Language) -> String {
     match page.en {
         "Theory" => format!("{tag}.html"),
         "Manual" => format!("manual-{tag}.html"),
+        "Third-party licences" => format!("licences-{tag}.html"),
         _ => format!("terms-{tag}.html"),
     }
 }
@@ -43,6 +44,7 @@ pub fn pages(assets: &Assets) -> Vec<(String, String)> {
             whole(pen, THEORY, ABOUT_THEORY, theory(pen, assets)),
             whole(pen, TERMS, ABOUT_TERMS, glossary(pen, assets)),
             whole(pen, MANUAL, ABOUT_MANUAL, manual(pen)),
+            whole(pen, licences::NAME, licences::ABOUT, notices(pen)),
         ]
     };
     Language::ALL.into_iter().flat_map(in_language).collect()
@@ -143,6 +145,11 @@ fn manual(pen: Pen) -> Body {
         section(2, screen.id, screen.name.within(pen.language), &text)
     });
     Body { places, html: html.collect() }
+}
+
+fn notices(pen: Pen) -> Body {
+    let (places, html) = licences::body(pen.language);
+    Body { places: vec![(String::new(), places)], html }
 }
 
 impl Assets {

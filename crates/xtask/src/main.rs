@@ -1,9 +1,10 @@
-//! `cargo xtask serve | test | dist | bench | soak`: everything that builds, runs and checks LevaLab.
+//! `cargo xtask serve | test | dist | bench | soak | licences`: everything that builds, runs and checks LevaLab.
 
 mod bench;
 mod dist;
 mod html;
 mod library;
+mod licences;
 mod offline;
 mod page;
 mod process;
@@ -41,6 +42,8 @@ enum Task {
     Bench(bench::Options),
     /// Tries many random designs and damaged links.
     Soak(soak::Options),
+    /// Writes the notices of everything that is built in, after a package was added or updated.
+    Licences,
 }
 
 fn main() -> ExitCode {
@@ -60,5 +63,6 @@ fn perform(task: Task) -> anyhow::Result<()> {
         Task::Dist => dist::run(),
         Task::Bench(options) => bench::run(&options),
         Task::Soak(options) => soak::run(&options),
+        Task::Licences => licences::write(),
     }
 }

@@ -68,7 +68,8 @@ pub fn library_sources(compiler: &WasmCompiler) -> bool {
         && source.is_file()
 }
 
-fn sysroot() -> Result<PathBuf> {
+/// Where the compiler that runs us lies.
+pub fn sysroot() -> Result<PathBuf> {
     let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let path = output(&mut process::program(rustc, ["--print", "sysroot"])).context("rustc did not run")?;
     Ok(path.into())

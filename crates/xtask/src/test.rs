@@ -10,7 +10,7 @@ use std::{
 use anyhow::{Context, Result, anyhow, bail};
 
 use crate::{
-    dist,
+    dist, licences,
     process::{self, cargo, node, seconds},
     project,
     setup::{self, WASM, WasmCompiler},
@@ -41,7 +41,7 @@ struct Bench {
     packed: OnceCell<Result<PathBuf, String>>,
 }
 
-const STEPS: [Step; 14] = [
+const STEPS: [Step; 15] = [
     Step { name: "format", claim: "Rust is formatted", check: format },
     Step { name: "clippy", claim: "Rust has no warnings", check: clippy },
     Step { name: "clippy-wasm", claim: "neither have the page's modules", check: clippy_wasm },
@@ -49,6 +49,7 @@ const STEPS: [Step; 14] = [
     Step { name: "soak", claim: "no random design or damaged link gets through", check: soak_short },
     Step { name: "independent", claim: "a second set of formulas agrees with the command", check: independent },
     Step { name: "rustdoc", claim: "the documentation builds, its links lead somewhere", check: rustdoc },
+    Step { name: "licences", claim: "what is built in has an allowed licence, and its notice", check: licences },
     Step { name: "dist", claim: "the page packs and names no other host", check: packs },
     Step { name: "wasm", claim: "the shipped module computes what the command line does", check: wasm_against_native },
     Step { name: "types", claim: "JavaScript passes strict type checking", check: types },
@@ -154,6 +155,10 @@ fn native(_: &Bench) -> Result<()> {
 fn rustdoc(_: &Bench) -> Result<()> {
     let mut command = cargo(["doc", "--workspace", "--no-deps"]);
     process::run(command.env("RUSTDOCFLAGS", "--deny warnings"))
+}
+
+fn licences(_: &Bench) -> Result<()> {
+    licences::check()
 }
 
 fn packs(bench: &Bench) -> Result<()> {

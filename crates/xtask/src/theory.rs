@@ -13,6 +13,9 @@ use crate::{
 /// Style sheets that these pages, and the cards that show parts of them, load by name.
 pub const SHEETS: [&str; 3] = ["web/styles/theory.css", "web/styles/help.css", "web/styles/exports.css"];
 
+/// The pages, without their ending.
+const PAGES: [&str; 8] = ["en", "es", "terms-en", "terms-es", "manual-en", "manual-es", "licences-en", "licences-es"];
+
 /// Brings `web/theory/` up to date.
 pub fn build() -> Result<()> {
     let followers = process::printed(&mut writer("followers"))?;
@@ -45,7 +48,7 @@ pub fn publish(folder: &Path, dist: &Path, hash: &str) -> Result<()> {
 /// The pages for the single file, each packed in a script of its own that does not run.
 pub fn packed(theory: &Path) -> Result<String> {
     let mut scripts = String::new();
-    for name in ["en", "es", "terms-en", "terms-es", "manual-en", "manual-es"] {
+    for name in PAGES {
         let page = fs::read(theory.join(format!("{name}.html"))).with_context(|| format!("the page {name}"))?;
         let packed = BASE64.encode(gzip(&page)?);
         scripts += &format!("<script type=\"text/html;gzip;base64\" id=\"page-{name}\">{packed}</script>\n  ");

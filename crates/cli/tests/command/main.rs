@@ -7,6 +7,7 @@ mod compare;
 mod convert;
 mod errors;
 mod export;
+mod licenses;
 mod links;
 mod run;
 mod solve;

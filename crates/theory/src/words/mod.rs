@@ -151,7 +151,7 @@ mod tests {
         let labels: crate::html::Labels = known_labels().into_iter().map(|key| (key, "<label>".to_owned())).collect();
         let in_languages = ["en", "es"].map(|tag| (tag.to_owned(), labels.clone()));
         let pages = crate::pages(&crate::Assets { labels: in_languages.into(), ..Default::default() });
-        assert_eq!(pages.len(), 6);
+        assert_eq!(pages.len(), 8);
         for (name, html) in pages {
             assert!(!html.contains("<label>"), "{name}: a label is not escaped");
             for place in html.split("href=\"#").skip(1).filter_map(|rest| rest.split_once('"')).map(|(place, _)| place)
