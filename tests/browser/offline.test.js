@@ -297,9 +297,11 @@ test("the single file works without the network once it was opened from a server
     await again.goto(address);
     await drawn(again);
   }
-  const reading = await context.newPage();
-  await reading.goto(`${single}#help/terms-es/rho`);
-  await becomes(() => reading.locator("main h1").count(), 1);
+  for (const [place, seen] of /** @type {const} */ ([["terms-es/rho", "math"], ["licences-es/", ".works li"]])) {
+    const reading = await context.newPage();
+    await reading.goto(`${single}#help/${place}`);
+    await eventually(() => reading.locator(`main ${seen}`).count(), (count) => assert(count > 50, place));
+  }
 });
 
 test("a visitor of the page loads nothing of the single file, and each is kept by a worker of its own", async (t) => {
