@@ -6,8 +6,8 @@
 import { keep, recall } from "./memory.js";
 import { firstLanguage } from "./strings/index.js";
 
-/** What is remembered of the view. @type {("language" | "theme" | "perSecond" | "tab" | "layers" | "margins")[]} */
-const REMEMBERED = ["language", "theme", "perSecond", "tab", "layers", "margins"];
+/** What is remembered of the view. @type {("language" | "theme" | "perSecond" | "tab" | "layers" | "margins" | "projectorSpeed" | "projectorValues")[]} */
+const REMEMBERED = ["language", "theme", "perSecond", "tab", "layers", "margins", "projectorSpeed", "projectorValues"];
 
 /** @type {Record<string, readonly unknown[]>} */
 const KNOWN = {
@@ -15,6 +15,8 @@ const KNOWN = {
   theme: ["light", "dark", "system"],
   perSecond: [true, false],
   tab: ["svaj", "pressure_angle", "rho", "contact"],
+  projectorSpeed: [true, false],
+  projectorValues: [true, false],
 };
 
 /**

@@ -9,6 +9,7 @@ import { createCompare } from "./compare.js";
 import { createFiles } from "./files.js";
 import { icon } from "./icons.js";
 import { onDemand } from "./on-demand.js";
+import { createProjector } from "./projector.js";
 import { createShare } from "./share.js";
 import { createSkips } from "./skip.js";
 import { learn } from "./strings/index.js";
@@ -39,10 +40,7 @@ export function mount(root, context, engine) {
   texts.attribute(help, "title", "header.help");
   const theme = createTheme(context);
   const languages = createLanguages(context, texts);
-  const projector = h("button", { type: "button", class: "quiet" }, icon("projector"));
-  projector.addEventListener("click", () => store.set({ projector: !store.state.projector }));
-  texts.attribute(projector, "aria-label", "header.projector");
-  texts.attribute(projector, "title", "header.projector.hint");
+  const projector = createProjector(context, texts);
 
   root.append(
     ...createSkips(texts),
@@ -52,12 +50,12 @@ export function mount(root, context, engine) {
       "div",
       { class: "tools" },
       createExamples(context, texts, engine.check),
-      h("div", { class: "group" }, history.undo, history.redo),
-      h("div", { class: "group" }, share.root, ...files),
+      h("div", { class: "group for-hands" }, history.undo, history.redo),
+      h("div", { class: "group for-hands" }, share.root, ...files),
       createSolution(context, texts),
       createCompare(context, texts, engine),
     ),
-    h("div", { class: "group end" }, languages.root, theme.button, projector, help),
+    h("div", { class: "group end" }, ...projector.choices, languages.root, theme.button, projector.button, help),
   );
 
   function follow() {
@@ -69,13 +67,12 @@ export function mount(root, context, engine) {
   function dress() {
     theme.update();
     languages.update();
-    projector.setAttribute("aria-pressed", String(store.state.projector));
   }
 
   follow();
   dress();
   store.subscribe(["design", "report"], follow);
-  store.subscribe(["theme", "language", "projector"], (_, changed) => {
+  store.subscribe(["theme", "language"], (_, changed) => {
     if (changed.has("language")) texts.refresh();
     follow();
     dress();

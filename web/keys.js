@@ -1,8 +1,9 @@
 /**
- * Keys of the whole page: undo, redo, projector, help, and those of the animation while nothing has the focus.
+ * Keys of the whole page: undo, redo, projector and what it shows, help, and those of the animation while nothing has the focus.
  *
  * @import { ShellContext } from "./types.d.ts"
  */
+import { afterProjectorKey, leavesProjector } from "./projector.js";
 import { played } from "./stage/clock.js";
 
 /** @param {ShellContext} context */
@@ -19,10 +20,19 @@ export function listen({ store }) {
       else store.undo();
       return;
     }
+    // What has a use for Escape of its own has stopped or prevented it.
+    if (event.key === "Escape") {
+      if (!leavesProjector(store.state)) return;
+      event.preventDefault();
+      store.set({ projector: false });
+      return;
+    }
     if (isTyping(event.target) || document.querySelector("dialog:modal")) return;
     const change = event.target === document.body ? played(store.state, event) : null;
+    const besides = event.altKey ? null : afterProjectorKey(store.state, key);
     if (change) store.set(change);
     else if (event.altKey) return;
+    else if (besides) store.set(besides);
     else if (key === "c") document.getElementById("pin")?.click();
     else if (key === "p") store.set({ projector: !store.state.projector });
     else if (key === "?") document.getElementById("help-button")?.click();

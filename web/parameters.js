@@ -32,7 +32,10 @@ export function createExplanation(root, { store, lab, t, format }) {
     if (value >= 0) store.set({ margins: { ...store.state.margins, [store.state.report.units.length]: value } });
   });
   margin.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") show(true);
+    if (event.key !== "Escape") return;
+    const typed = margin.value;
+    show(true);
+    if (margin.value !== typed) event.preventDefault();
   });
 
   /** @param {number} value */

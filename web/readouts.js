@@ -124,7 +124,9 @@ export function mount(root, context) {
       cell.name.textContent = ` ${name}`;
       cell.element.title = name;
       cell.unit.textContent = reading.unit(report, perSecond);
-      figures = Math.max(figures, format.number(-reading.size(report, perSecond), { digits: cell.digits }).length);
+      const own = format.number(-reading.size(report, perSecond), { digits: cell.digits }).length;
+      figures = Math.max(figures, own);
+      cell.element.style.setProperty("--figures", `${own}ch`);
       measure = Math.max(measure, cell.unit.textContent.length * UNIT);
       cell.element.hidden = reading.name === "contact" && !report.summary.contact;
     }

@@ -26,6 +26,8 @@ function initialView() {
     language: "en",
     theme: "system",
     projector: false,
+    projectorSpeed: false,
+    projectorValues: false,
     highlight: null,
     margins: {},
     beside: [],

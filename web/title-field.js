@@ -36,7 +36,10 @@ export function createTitleField({ store, catalogue, t }, texts) {
     if (title !== store.state.design.title) store.edit(t("edit.title"), (draft) => (draft.title = title), { gesture });
   });
   input.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") store.cancel(gesture);
+    if (event.key === "Escape") {
+      event.preventDefault();
+      store.cancel(gesture);
+    }
     if (event.key === "Enter" || event.key === "Escape") input.blur();
   });
   input.addEventListener("blur", () => {

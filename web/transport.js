@@ -122,8 +122,12 @@ export function mount(root, { store, t, format }) {
   });
   angle.addEventListener("keydown", (event) => {
     const by = { ArrowDown: -1, ArrowUp: 1 }[event.key];
-    if (event.key === "Escape") showAngle(true);
-    else if (by !== undefined) {
+    if (event.key === "Escape") {
+      const typed = angle.value;
+      showAngle(true);
+      // With nothing to take back, Escape is for the page.
+      if (angle.value === typed) return;
+    } else if (by !== undefined) {
       step(by * stride(event, cycle));
       showAngle(true);
     } else return;

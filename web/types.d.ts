@@ -408,6 +408,10 @@ export interface State {
   language: Language;
   theme: Theme;
   projector: boolean;
+  /** Whether the projector view shows the speed of the animation. */
+  projectorSpeed: boolean;
+  /** Whether the projector view shows large instant values. */
+  projectorValues: boolean;
   highlight: Highlight | null;
   /** What a face is longer at each end than its contact needs, by the unit of length. */
   margins: Record<string, number>;

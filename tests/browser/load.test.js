@@ -3,6 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage } from "./harness.js";
 
+/** @typedef {import("playwright-core").Page} Page */
+
 test("the page draws under any path, within its policy, asking no other host", async (t) => {
   const { page } = await openPage(t);
   assert.match(await page.title(), /LevaLab$/);

@@ -182,8 +182,8 @@ La impresión del propio navegador da el mismo informe, con la leva tal como est
         id: "view",
         name: two("Language, theme and projector", "Idioma, tema y proyector"),
         text: two(
-            "*ES* and *EN* change the language in place; the half disc changes between the light and the dark theme and that of the system. {header.projector}, or the key P, enlarges type and strokes and leaves mechanism, diagrams and verdict for the classroom.",
-            "*ES* y *EN* cambian el idioma sobre la marcha; el medio disco alterna entre el tema claro, el oscuro y el del sistema. {header.projector}, o la tecla P, agranda letra y trazos y deja el mecanismo, los diagramas y el veredicto para el aula.",
+            "*ES* and *EN* change the language in place; the half disc changes between the light and the dark theme and that of the system. {header.projector}, or the key P, enlarges type and strokes and leaves mechanism, diagrams and verdict for the classroom. There {projector.speed} adds the hand wheel of the animation, and {projector.values} the instant values of the chosen diagrams in large figures; Esc leads back.",
+            "*ES* y *EN* cambian el idioma sobre la marcha; el medio disco alterna entre el tema claro, el oscuro y el del sistema. {header.projector}, o la tecla P, agranda letra y trazos y deja el mecanismo, los diagramas y el veredicto para el aula. Allí {projector.speed} añade el volante de la animación, y {projector.values} los valores instantáneos de los diagramas elegidos en cifras grandes; con Esc se vuelve.",
         ),
     },
     Screen {
@@ -196,14 +196,16 @@ La impresión del propio navegador da el mismo informe, con la leva tal como est
 - *Ctrl Z*, *Ctrl Y*: {help.undo}.
 - *↑ ↓*: {help.step-field}. *Esc*: {help.escape}.
 - *Alt ↑*, *Alt ↓*: {help.move}.
-- *P*: {help.projector}. *?*: {help.help}.",
+- *P*: {help.projector}. *?*: {help.help}.
+- *S*: {help.projector.speed}. *V*: {help.projector.values}. *Esc*: {help.projector.leave}.",
             "A todo se llega con el tabulador. Además:
 
 - *Espacio*: {help.play}. *← →*: {help.step}.
 - *Ctrl Z*, *Ctrl Y*: {help.undo}.
 - *↑ ↓*: {help.step-field}. *Esc*: {help.escape}.
 - *Alt ↑*, *Alt ↓*: {help.move}.
-- *P*: {help.projector}. *?*: {help.help}.",
+- *P*: {help.projector}. *?*: {help.help}.
+- *S*: {help.projector.speed}. *V*: {help.projector.values}. *Esc*: {help.projector.leave}.",
         ),
     },
 ];

@@ -1,0 +1,146 @@
+// Other screens than the laptop's: the projector of a classroom, forced colours, and the verdict wherever it must not cut off a cure.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { drawn } from "./browser.js";
+import { LINKS, becomes, cursorField, en, es, frames, openStill, setCursor } from "./user.js";
+
+/** @typedef {import("playwright-core").Page} Page */
+
+const PROJECTOR = { width: 1024, height: 768 };
+const LAPTOP = { width: 1366, height: 768 };
+const SCREEN = { width: 1920, height: 1080 };
+
+/** @param {Page} page */
+const inProjectorView = (page) => page.locator("html").evaluate((root) => root.hasAttribute("data-projector"));
+
+/** @param {Page} page @param {import("./user.js").Words} [say] */
+const toggles = (page, say = en) => ({
+  speed: page.locator("#header").getByRole("button", { name: say("projector.speed"), exact: true }),
+  values: page.locator("#header").getByRole("button", { name: say("projector.values"), exact: true }),
+});
+
+/** The projector view with all that it can show. @param {Page} page */
+async function project(page) {
+  await page.keyboard.press("p");
+  await becomes(() => inProjectorView(page), true);
+  for (const [key, shown] of [["s", "#transport-wheel"], ["v", "#readout-theta"]]) {
+    if (!(await page.locator(shown).isVisible())) await page.keyboard.press(key);
+    await page.locator(shown).waitFor();
+  }
+  await frames(page, 3);
+}
+
+/** Controls and figures that lie outside the window, in whole or in part. @param {Page} page */
+const outside = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll("button, input, canvas, output, h1, .headline, .readout")]
+      .filter((node) => node.checkVisibility() && !node.closest(".unseen, dialog, [popover], details:not([open])"))
+      .filter((node) => {
+        const { left, right, top, bottom } = node.getBoundingClientRect();
+        return left < -1 || top < -1 || right > innerWidth + 1 || bottom > innerHeight + 1;
+      })
+      .map((node) => node.id || node.getAttribute("aria-label") || node.textContent),
+  );
+
+for (const viewport of [PROJECTOR, LAPTOP, SCREEN]) {
+  test(`${viewport.width} × ${viewport.height}: the projector view keeps every control in sight, with speed and values`, async (t) => {
+    for (const [locale, say] of /** @type {const} */ ([["en-GB", en], ["es-ES", es]])) {
+      const { page } = await openStill(t, { viewport, locale, fragment: LINKS["9RT"] });
+      await project(page);
+      const end = page.locator("#header .end");
+      for (const name of ["ES", "EN", say("header.projector"), say("header.help"), say("projector.speed"), say("projector.values")]) {
+        const box = await end.getByRole("button", { name, exact: true }).boundingBox();
+        assert(box && box.x >= 0 && box.x + box.width <= viewport.width && box.y >= 0, `${name} is out of sight`);
+      }
+      assert.equal(await end.getByRole("button").count(), 7, "a button of the header is missing");
+      for (const tab of ["svaj", "pressure_angle", "rho"]) {
+        await page.locator(`[name="diagram-tab"][value="${tab}"]`).check({ force: true });
+        await frames(page, 3);
+        assert.deepEqual(await outside(page), [], `${locale}, ${tab}`);
+      }
+      for (const name of ["s", "v", "a", "j"]) assert.equal(await page.locator(`#readout-${name}`).isVisible(), false, `${name} is no value of the diagram of ρ`);
+    }
+  });
+}
+
+test("Escape leaves the projector view, after whatever else is open or has been typed", async (t) => {
+  const { page } = await openStill(t);
+  await page.keyboard.press("p");
+  await becomes(() => inProjectorView(page), true);
+  await page.keyboard.press("Escape");
+  await becomes(() => inProjectorView(page), false);
+
+  await page.keyboard.press("p");
+  const closings = /** @type {const} */ ([
+    ["the help", () => page.keyboard.press("?"), () => page.locator("#help").isVisible()],
+    ["the layers", () => page.locator("#mechanism summary").click(), () => page.locator(".stage-layers-list").isVisible()],
+    ["a term", () => page.locator("#verdict .figures .mark").first().click(), () => page.locator(".card").isVisible()],
+    ["a typed angle", () => cursorField(page).fill("77"), async () => (await cursorField(page).inputValue()) === "77"],
+  ]);
+  for (const [what, open, isOpen] of closings) {
+    await open();
+    await becomes(isOpen, true);
+    await page.keyboard.press("Escape");
+    await becomes(isOpen, false);
+    assert(await inProjectorView(page), `Escape was for ${what}`);
+  }
+  await page.keyboard.press("Escape");
+  await becomes(() => inProjectorView(page), false);
+});
+
+test("the large values are those of the chosen diagrams, and none of them moves while the cam turns", async (t) => {
+  const { page } = await openStill(t, { viewport: PROJECTOR, fragment: LINKS["9RT"] });
+  const small = await page.locator("#readout-s").evaluate((node) => parseFloat(getComputedStyle(node).fontSize));
+  await project(page);
+  const shown = () =>
+    page.locator(".readout").evaluateAll((all) => all.filter((one) => one.checkVisibility()).map((one) => one.querySelector("output")?.id.replace("readout-", "")));
+  assert.deepEqual(await shown(), ["theta", "s", "v", "a", "j"]);
+  assert((await page.locator("#readout-s").evaluate((node) => parseFloat(getComputedStyle(node).fontSize))) >= 1.6 * small);
+
+  /** Edges of the letters, figures and units. */
+  const edges = () =>
+    page.locator(".readout :is(label, output, .readout-unit)").evaluateAll((all) =>
+      all.filter((one) => one.checkVisibility()).map((one) => {
+        const { left, right } = one.getBoundingClientRect();
+        return [Math.round(left), Math.round(right)];
+      }));
+  await setCursor(page, "0");
+  const still = await edges();
+  const texts = new Set();
+  for (const theta of ["17", "47", "123.4", "211", "285", "307", "359.9"]) {
+    await setCursor(page, theta);
+    texts.add(await page.locator("#readout-a").textContent());
+    assert.deepEqual(await edges(), still, `at ${theta}`);
+  }
+  assert(texts.size > 4, "the values stand still");
+  for (const [tab, values] of /** @type {const} */ ([["pressure_angle", ["theta", "pressure_angle"]], ["rho", ["theta", "rho"]]])) {
+    await page.locator(`[name="diagram-tab"][value="${tab}"]`).check({ force: true });
+    await becomes(shown, [...values]);
+  }
+});
+
+test("what the projector view shows is chosen by buttons and keys that exist in it only, and remembered", async (t) => {
+  const { page } = await openStill(t, { locale: "es-ES" });
+  const { speed, values } = toggles(page, es);
+  assert.equal(await speed.count(), 0, "the button is there outside the projector view");
+  await page.keyboard.press("v");
+  await page.keyboard.press("p");
+  await speed.waitFor();
+  assert.equal(await values.getAttribute("aria-pressed"), "false", "the key works outside the projector view");
+  await speed.click();
+  await page.locator("#transport-wheel").waitFor();
+  await page.keyboard.press("v");
+  await page.locator("#readout-s").waitFor();
+  await becomes(() => values.getAttribute("aria-pressed"), "true");
+  await page.reload();
+  await drawn(page);
+  await page.keyboard.press("p");
+  await becomes(() => inProjectorView(page), true);
+  await page.locator("#transport-wheel").waitFor();
+  await page.locator("#readout-s").waitFor();
+  await page.keyboard.press("s");
+  await page.locator("#transport-wheel").waitFor({ state: "hidden" });
+  await page.locator("#header").getByRole("button", { name: es("header.help"), exact: true }).click();
+  const keys = page.locator("#help .keys");
+  for (const name of ["help.projector.speed", "help.projector.values", "help.projector.leave"]) await keys.getByText(es(name), { exact: true }).waitFor();
+});
