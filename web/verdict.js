@@ -8,6 +8,7 @@
 import { h, s, write } from "./dom.js";
 import { createFigures } from "./figures.js";
 import { createFindingItem } from "./finding-item.js";
+import { createFindingsView } from "./findings-view.js";
 import { icon } from "./icons.js";
 import { atRest } from "./rest.js";
 import { createTexts } from "./texts.js";
@@ -45,7 +46,7 @@ export function mount(root, context) {
   const list = h("ul");
   const all = h("span", { class: "all" });
   const unfold = h("button", { type: "button", class: "quiet unfold", "aria-expanded": "false" }, all, icon("unfold"));
-  const view = h("div", { class: "findings" }, list);
+  const view = createFindingsView(root, list, unfold);
   const heading = texts.text(h("h2", { class: "unseen", id: "verdict-heading" }), "app.verdict");
   /** @type {FindingItem[]} */
   const items = [];
@@ -57,19 +58,6 @@ export function mount(root, context) {
   root.setAttribute("aria-labelledby", heading.id);
   root.append(heading, h("div", { class: "verdict-line" }, sign, h("p", { class: "saying" }, word, " ", headline), unfold), figures.root, note, view);
   texts.attribute(list, "aria-label", "verdict.findings");
-  unfold.addEventListener("click", () => {
-    const open = root.classList.toggle("open");
-    unfold.setAttribute("aria-expanded", String(open));
-    measure();
-  });
-  const sizes = new ResizeObserver(measure);
-  sizes.observe(view);
-  sizes.observe(list);
-
-  /** Offers to unfold when something is out of sight: after the layout, so that an edit never waits for one. */
-  function measure() {
-    root.toggleAttribute("data-more", root.classList.contains("open") || list.offsetHeight > view.offsetHeight + 1);
-  }
 
   function update() {
     const { report, error } = store.state;

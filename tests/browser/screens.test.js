@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drawn } from "./browser.js";
-import { LINKS, becomes, cursorField, en, es, frames, openStill, setCursor } from "./user.js";
+import { LINKS, becomes, cursorField, en, es, frames, openStill, setCursor, unfoldFindings } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -144,3 +144,80 @@ test("what the projector view shows is chosen by buttons and keys that exist in 
   const keys = page.locator("#help .keys");
   for (const name of ["help.projector.speed", "help.projector.values", "help.projector.leave"]) await keys.getByText(es(name), { exact: true }).waitFor();
 });
+
+/** Designs with many findings and long cures: translating and oscillating followers, a pair, a wedge. */
+const HARD = [
+  "1.Example_R1.R.1_.01umw1sP90_.1V90_.1P135-.2D45.116d5V",
+  "1.Example_4PO.O20_0_80P40_3P40_6P40_3D60P120-12D60.26JfnP",
+  "1.Example_12PO.O21.599999999999998_0_80T60_10T60-10T60_10T60-10T60_10T60-10.1vZQbI",
+  "1.Example_7CRT.R85_10kd380P36_20P36-20P36_20P36-20P36_20P36-20P36_20P36-20P36_20P36-20.2sBf7P",
+  "1.Wedge.R0_8w50t160D20P75_54D20P35-18D10.4AqMQn",
+];
+
+/**
+ * Findings and cures that are cut off, out of reach, or not in sight though they are of the first finding.
+ * @param {Page} page
+ * @param {number} first  how many cures of the first finding have to be in sight
+ */
+const cutOff = (page, first) =>
+  page.evaluate((first) => {
+    const view = document.querySelector("#verdict .findings");
+    const verdict = document.querySelector("#verdict");
+    if (!view || !verdict || !view.checkVisibility()) return [];
+    const box = view.getBoundingClientRect();
+    const longer = view.scrollHeight > view.clientHeight + 1;
+    /** @type {string[]} */
+    const wrong = [];
+    if (box.bottom > innerHeight + 1) wrong.push("the list ends below the window");
+    if (longer && (!/auto|scroll/.test(getComputedStyle(view).overflowY) || getComputedStyle(view).borderBlockEndStyle === "none")) wrong.push("nothing says that there is more");
+    if (longer && verdict.querySelector(".unfold")?.checkVisibility() !== true) wrong.push("it cannot be unfolded");
+    let ofFirst = 0;
+    const isFirst = (/** @type {number} */ index, /** @type {Element} */ button) => index === 0 && (!button.classList.contains("cure") || ++ofFirst <= first);
+    for (const [index, item] of [...view.querySelectorAll("li")].entries()) {
+      for (const button of item.querySelectorAll("button")) {
+        const { left, right, top, bottom } = button.getBoundingClientRect();
+        const say = (/** @type {string} */ what) => wrong.push(`${index}, ${button.textContent}: ${what}`);
+        if (left < box.left - 1 || right > box.left + view.clientWidth + 1) say("wider than the list");
+        if (button.scrollWidth > button.clientWidth + 1 || button.scrollHeight > button.clientHeight + 1) say("longer than its button");
+        if (bottom - box.top + view.scrollTop > view.scrollHeight + 1) say("cannot be scrolled to");
+        if (top < box.bottom - 1 && bottom > box.bottom + 1) say("cut off by the edge of the list");
+        if (isFirst(index, button) && bottom > box.bottom + 1) say("out of sight, though of the first finding");
+      }
+    }
+    return wrong;
+  }, first);
+
+/** Until the cures of the cam in sight are there. @param {Page} page */
+const cured = (page) => becomes(() => page.locator("#verdict :is(.finding.pending, .cure:disabled)").count(), 0);
+
+for (const [locale, say] of /** @type {const} */ ([["en-GB", en], ["es-ES", es]])) {
+  test(`${locale}: the verdict cuts off no finding and no cure, of any example, on any screen`, { timeout: 300_000 }, async (t) => {
+    const { page } = await openStill(t, { locale });
+    await page.getByRole("button", { name: say("header.examples"), exact: true }).click();
+    await page.locator("[data-example]").first().waitFor();
+    const ids = await page.locator("[data-example]").evaluateAll((all) => all.map((one) => /** @type {HTMLElement} */ (one).dataset["example"] ?? ""));
+    assert(ids.length > 15, "examples are missing");
+    await page.keyboard.press("Escape");
+    let cures = 0;
+    for (const design of [...ids, ...HARD]) {
+      if (design.includes(".")) await page.evaluate((link) => void (location.hash = link), design);
+      else {
+        await page.getByRole("button", { name: say("header.examples"), exact: true }).click();
+        await page.locator(`[data-example="${design}"]`).click();
+      }
+      await frames(page);
+      await cured(page);
+      cures += await page.locator("#verdict .cure").count();
+      for (const viewport of [LAPTOP, PROJECTOR, SCREEN]) {
+        await page.setViewportSize(viewport);
+        if (viewport === PROJECTOR) await unfoldFindings(page);
+        await frames(page, 3);
+        assert.deepEqual(await cutOff(page, design.includes(".") ? 2 : Infinity), [], `${design} at ${viewport.width} × ${viewport.height}`);
+        // Folded again for the next one.
+        if (viewport === PROJECTOR) await page.locator('#verdict button[aria-expanded="true"]').evaluateAll((all) => all.forEach((one) => /** @type {HTMLElement} */ (one).click()));
+      }
+      await page.setViewportSize(LAPTOP);
+    }
+    assert(cures > 20, `${cures} cures are no test`);
+  });
+}
