@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drawn } from "./browser.js";
-import { LINKS, becomes, cursorField, en, es, frames, openStill, setCursor, unfoldFindings } from "./user.js";
+import { LINKS, becomes, cursorField, en, es, eventually, frames, openStill, picture, setCursor, unfoldFindings, violations } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -142,7 +142,7 @@ test("what the projector view shows is chosen by buttons and keys that exist in 
   await page.locator("#transport-wheel").waitFor({ state: "hidden" });
   await page.locator("#header").getByRole("button", { name: es("header.help"), exact: true }).click();
   const keys = page.locator("#help .keys");
-  for (const name of ["help.projector.speed", "help.projector.values", "help.projector.leave"]) await keys.getByText(es(name), { exact: true }).waitFor();
+  for (const name of ["help.projector", "help.projector.shown"]) await keys.getByText(es(name), { exact: true }).waitFor();
 });
 
 /** Designs with many findings and long cures: translating and oscillating followers, a pair, a wedge. */
@@ -221,3 +221,94 @@ for (const [locale, say] of /** @type {const} */ ([["en-GB", en], ["es-ES", es]]
     assert(cures > 20, `${cures} cures are no test`);
   });
 }
+
+// Forced colours
+
+/** Contrast of two colours as the page computes them. @param {string} one @param {string} other */
+function contrast(one, other) {
+  const [a, b] = [one, other].map((colour) => {
+    const [red = 0, green = 0, blue = 0] = (colour.match(/[\d.]+/g) ?? []).map((channel) => Number(channel) / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
+  });
+  return Math.max(a, b) / Math.min(a, b);
+}
+
+/** @param {import("playwright-core").Locator} element @param {string} property */
+const style = (element, property) => element.evaluate((node, property) => getComputedStyle(node).getPropertyValue(property), property);
+
+/** @param {Page} page @param {string} colour  of the system @returns {Promise<string>} */
+const systemColour = (page, colour) =>
+  page.evaluate((colour) => {
+    const probe = document.createElement("i");
+    probe.style.color = colour;
+    document.body.append(probe);
+    const { color } = getComputedStyle(probe);
+    probe.remove();
+    return color;
+  }, colour);
+
+for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+  const forced = { forcedColors: /** @type {const} */ ("active"), colorScheme, fragment: LINKS.R1 };
+
+  test(`forced colours, ${colorScheme}: what is chosen looks different from what is not`, async (t) => {
+    const { page } = await openStill(t, forced);
+    await page.locator(".transport-reverse").click();
+    const pairs = {
+      language: ['#header [lang="en"]', '#header [lang="es"]'],
+      follower: [".follower:has(:checked)", ".follower:not(:has(:checked))"],
+      diagrams: [".diagram-choice label:has(:checked)", ".diagram-choice label:not(:has(:checked))"],
+      "sense of the animation": [".transport-reverse", ".transport-step"],
+    };
+    for (const [what, [chosen, other]] of Object.entries(pairs)) {
+      const [one, two] = [page.locator(chosen).first(), page.locator(other).first()];
+      const [ground, plain] = [await style(one, "background-color"), await style(two, "background-color")];
+      assert(contrast(ground, plain) >= 3 || /, 0\)$/.test(plain), `${what}: ${ground} beside ${plain}`);
+      assert.equal(await style(one, "forced-color-adjust"), "none", `${what}: the browser lays a plate under its text`);
+      assert.equal(ground, await systemColour(page, "Highlight"), what);
+      assert.equal(await style(one, "color"), await systemColour(page, "HighlightText"), what);
+    }
+    const segment = page.locator(".segment").nth(1);
+    assert.equal(await style(segment, "outline-style"), "none");
+    await segment.hover();
+    assert.equal(await style(segment, "outline-style"), "solid", "the segment that is pointed at");
+    await page.locator("#transport-scrub").focus();
+    await page.keyboard.press("Shift+Tab");
+    assert.equal(await page.evaluate(() => (document.activeElement ? parseFloat(getComputedStyle(document.activeElement).outlineWidth) : 0)), 3, "the ring of the focus");
+  });
+
+  test(`forced colours, ${colorScheme}: verdict, curves and mechanism are drawn in colours of the system`, async (t) => {
+    const { page } = await openStill(t, forced);
+    const [paper, ink] = [await systemColour(page, "Canvas"), await systemColour(page, "CanvasText")];
+    assert.equal(await style(page.locator("#verdict .light .shape"), "fill"), ink);
+    assert.equal(await style(page.locator("#verdict .light .mark"), "stroke"), paper);
+    await frames(page, 3);
+    for (const canvas of ["#mechanism canvas", ".diagram-s canvas", ".diagram-j canvas"]) {
+      const { inked, strange } = await page.locator(canvas).evaluate((node, ink) => {
+        const sheet = /** @type {HTMLCanvasElement} */ (node);
+        const pixels = sheet.getContext("2d")?.getImageData(0, 0, sheet.width, sheet.height).data ?? new Uint8ClampedArray();
+        const wanted = (ink.match(/\d+/g) ?? []).map(Number);
+        let [inked, strange] = [0, 0];
+        for (let i = 0; i < pixels.length; i += 4) {
+          if (pixels[i + 3] < 200) continue;
+          const [red, green, blue] = pixels.slice(i, i + 3);
+          if (red === wanted[0] && green === wanted[1] && blue === wanted[2]) inked++;
+          // Ink, paper and their mixtures are grey in both themes of the browser.
+          if (Math.max(red, green, blue) - Math.min(red, green, blue) > 12) strange++;
+        }
+        return { inked, strange };
+      }, ink);
+      assert(inked > 300, `${canvas}: ${inked} pixels in the colour of text`);
+      assert.equal(strange, 0, `${canvas}: colours of the page's own`);
+    }
+    assert.deepEqual(await violations(page, `forced colours, ${colorScheme}`), []);
+  });
+}
+
+test("colours that are forced, or let go, while the page is open are drawn at once", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const before = await picture(page.locator(".diagram-s canvas"));
+  await page.emulateMedia({ forcedColors: "active" });
+  await eventually(() => picture(page.locator(".diagram-s canvas")), (now) => assert.notEqual(now, before));
+  await page.emulateMedia({ forcedColors: "none" });
+  await becomes(() => picture(page.locator(".diagram-s canvas")), before);
+});

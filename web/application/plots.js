@@ -11,7 +11,7 @@ import { cycleOf, decimalsOf } from "../stage/clock.js";
 import { moveCursor } from "../stage/cursor-hand.js";
 import { AT, instant } from "../stage/instant.js";
 import { FLAG, drawOverlay } from "../stage/overlay.js";
-import { onAppearance, readPalette } from "../stage/palette.js";
+import { onAppearance, readColour, readPalette } from "../stage/palette.js";
 import { letterOf, placeText } from "../stage/place.js";
 import { PLOTS, styleOf } from "../stage/plots.js";
 import { watchVisibility } from "../stage/visibility.js";
@@ -24,9 +24,6 @@ const AMONG = 130;
 
 /** Colours of the outputs, the main one first. */
 export const OUTPUT_COLOURS = ["output", "output-2"];
-
-/** @param {string} name */
-export const colourOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 
 /**
  * @param {ShellContext} context
@@ -102,7 +99,7 @@ export function createPlots(context, work) {
       const [width, height] = [canvas.clientWidth, canvas.clientHeight];
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
-      const colour = colourOf(OUTPUT_COLOURS[index] ?? "output");
+      const colour = readColour(OUTPUT_COLOURS[index] ?? "output");
       const style = { ...styleOf(PLOTS.s, palette, store.state, { width, height, ratio, labels: true }), curve: colour, dash: index > 0 ? [7, 3] : [], per_second: byTime };
       const area = driven.draw(canvas, index, style);
       // Time and θ go together: for the cursor both diagrams run from 0 to the end of the cycle.

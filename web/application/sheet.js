@@ -3,6 +3,7 @@
 const SHEET = `
 :root { --output: #006a73; --output-2: #8a3d00; }
 @media screen { :root[data-theme="dark"] { --output: #5cc9d3; --output-2: #f0a868; } }
+@media screen and (forced-colors: active) { :root:not([data-paper]) { --output: CanvasText; --output-2: CanvasText; } }
 #application-button { align-self: start; margin-block-start: var(--space-2); color: var(--accent); }
 #application { grid-area: diagrams-start / diagrams-start / readouts-end / diagrams-end; position: relative; z-index: 2; display: flex; flex-direction: column; gap: var(--space-3); padding: var(--space-2) var(--space-4) var(--space-3) var(--space-3); overflow: hidden auto; scrollbar-width: thin; background: var(--paper); border-inline-start: 1px solid var(--grid); }
 #application[hidden], #application [hidden] { display: none; }

@@ -67,7 +67,9 @@ const SHEET = `
   #auto .auto-row select { padding-inline-end: 14px; }
 }
 @media (forced-colors: active) {
-  #auto .auto-layer button::before, #auto .auto-tangent { forced-color-adjust: none; }
+  #auto .auto-layer button::before, #auto .auto-tangent, #auto .auto-tools label > span::before { forced-color-adjust: none; }
+  #auto .auto-row.lit { outline: 2px solid Highlight; }
+  #auto .auto-row.wrong { outline: 2px dashed; }
 }
 `;
 

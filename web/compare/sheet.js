@@ -5,6 +5,9 @@ const SHEET = `
 @media screen {
   :root[data-theme="dark"] { --look-1: #f48fb1; --look-2: #4dd0e1; --look-3: #d7a98c; --look-4: #d4d85a; --look-5: #a5b0f0; --look-6: #b0bec5; }
 }
+@media screen and (forced-colors: active) {
+  :root:not([data-paper]) { --look-1: LinkText; --look-2: LinkText; --look-3: LinkText; --look-4: GrayText; --look-5: GrayText; --look-6: GrayText; }
+}
 .compare-legend { display: flex; flex-wrap: wrap; gap: 0 var(--space-4); padding-block: var(--space-1); font-size: var(--size-small); max-block-size: 5.2em; overflow: auto; scrollbar-width: thin; }
 .compare-legend li { display: flex; align-items: center; gap: var(--space-1); max-inline-size: 100%; }
 .compare-legend li > span { overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }

@@ -45,10 +45,8 @@ function create(context) {
     ...row(texts.text(h("dd"), "help.scrub"), words.drag()),
     ...row(texts.text(h("dd"), "help.move"), key("Alt ↑"), key("Alt ↓"), words.or(), words.drag()),
     ...row(texts.text(h("dd"), "help.pin"), key("C")),
-    ...row(texts.text(h("dd"), "help.projector"), key("P")),
-    ...row(texts.text(h("dd"), "help.projector.speed"), key("S")),
-    ...row(texts.text(h("dd"), "help.projector.values"), key("V")),
-    ...row(texts.text(h("dd"), "help.projector.leave"), key("Esc")),
+    ...row(texts.text(h("dd"), "help.projector"), key("P"), key("Esc")),
+    ...row(texts.text(h("dd"), "help.projector.shown"), key("S"), key("V")),
     ...row(texts.text(h("dd"), "help.help"), key("?")),
   );
   const about = texts.text(h("p"), "help.about");

@@ -125,7 +125,7 @@ function lightUp(context, row, highlight, report, palette) {
   const [from, to] = highlight.interval ?? [report.borders[segment], report.borders[segment + 1]];
   if (from !== undefined && to !== undefined) {
     context.fillStyle = palette.accent;
-    context.globalAlpha = 0.13;
+    context.globalAlpha = palette.lit;
     const end = to < from ? report.span : Math.min(to, report.span);
     context.fillRect(atTheta(row, from), y, atTheta(row, end) - atTheta(row, from), area.height);
     if (to < from) context.fillRect(atTheta(row, 0), y, atTheta(row, to) - atTheta(row, 0), area.height);

@@ -196,16 +196,14 @@ La impresión del propio navegador da el mismo informe, con la leva tal como est
 - *Ctrl Z*, *Ctrl Y*: {help.undo}.
 - *↑ ↓*: {help.step-field}. *Esc*: {help.escape}.
 - *Alt ↑*, *Alt ↓*: {help.move}.
-- *P*: {help.projector}. *?*: {help.help}.
-- *S*: {help.projector.speed}. *V*: {help.projector.values}. *Esc*: {help.projector.leave}.",
+- *P*, *Esc*: {help.projector}. *S*, *V*: {help.projector.shown}. *?*: {help.help}.",
             "A todo se llega con el tabulador. Además:
 
 - *Espacio*: {help.play}. *← →*: {help.step}.
 - *Ctrl Z*, *Ctrl Y*: {help.undo}.
 - *↑ ↓*: {help.step-field}. *Esc*: {help.escape}.
 - *Alt ↑*, *Alt ↓*: {help.move}.
-- *P*: {help.projector}. *?*: {help.help}.
-- *S*: {help.projector.speed}. *V*: {help.projector.values}. *Esc*: {help.projector.leave}.",
+- *P*, *Esc*: {help.projector}. *S*, *V*: {help.projector.shown}. *?*: {help.help}.",
         ),
     },
 ];
