@@ -7,7 +7,7 @@
  * @import { NumberField } from "./number-field.js"
  */
 import { clean } from "./clean.js";
-import { h, symbol } from "./dom.js";
+import { h, symbol, write, writeAttribute } from "./dom.js";
 import { assemble } from "./free-parts.js";
 import { KNOTS } from "./free-text.js";
 import { mark } from "./help-mark.js";
@@ -203,16 +203,17 @@ export function createConditionTable(context, { id, index }, law) {
       const [first, last] = [row.at === 0, row.at === segment.beta];
       row.place.input.disabled = first || last;
       row.inherit.style.visibility = first || last ? "" : "hidden";
-      row.inherit.textContent = first ? "↑" : "↓";
+      write(row.inherit, first ? "↑" : "↓");
       const label = first ? t("conditions.inherit.before") : t("conditions.inherit.after");
-      row.inherit.setAttribute("aria-label", label);
-      row.inherit.title = label;
+      writeAttribute(row.inherit, "aria-label", label);
+      writeAttribute(row.inherit, "title", label);
       row.remove.disabled = rows.length === 1;
-      row.remove.title = t("conditions.remove", { at: format.number(row.at, { unit: "°" }) });
-      row.remove.setAttribute("aria-label", row.remove.title);
+      const removal = t("conditions.remove", { at: format.number(row.at, { unit: "°" }) });
+      writeAttribute(row.remove, "title", removal);
+      writeAttribute(row.remove, "aria-label", removal);
     }
     const count = conditionsOf(state.design).length;
-    hint.textContent = knots ? t("conditions.count", { count }) : t("conditions.degree", { count, degree: count - 1 });
+    write(hint, knots ? t("conditions.count", { count }) : t("conditions.degree", { count, degree: count - 1 }));
     if (knots) suggest();
   }
 

@@ -48,12 +48,25 @@ export function s(tag, attributes = {}, ...children) {
 }
 
 /**
- * Text that is written only when it is another: an unchanged node costs the browser nothing.
+ * Writes a text only when it is another, and into the text node that is there: a new node would be styled and placed anew.
  * @param {Node} node
  * @param {string} text
  */
 export function write(node, text) {
-  if (node.textContent !== text) node.textContent = text;
+  const { firstChild } = node;
+  if (firstChild instanceof Text && firstChild === node.lastChild) {
+    if (firstChild.data !== text) firstChild.data = text;
+  } else if (node.textContent !== text) node.textContent = text;
+}
+
+/**
+ * Sets an attribute only when its value is another.
+ * @param {Element} element
+ * @param {string} name
+ * @param {string} value
+ */
+export function writeAttribute(element, name, value) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
 /**

@@ -3,7 +3,7 @@
  *
  * @import { Range, ShellContext } from "./types.d.ts"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import { mark } from "./help-mark.js";
 
 /** What the question mark beside a figure explains. @type {Record<string, string>} */
@@ -52,11 +52,12 @@ export function createFigures({ store, t, format }) {
       while (buttons.length < list.length) buttons.push(figure(buttons.length));
       list.forEach(([kind, text], index) => {
         const button = buttons[index];
-        if (!button || button.textContent === text) return;
+        if (!button) return;
+        write(button, text);
+        if (button.classList.contains(kind)) return;
         button.className = `figure ${kind}`;
         const asks = button.nextElementSibling;
         if (asks instanceof HTMLElement) asks.dataset["term"] = TERMS[kind] ?? kind;
-        button.textContent = text;
       });
     },
 

@@ -4,7 +4,7 @@
  * @import { FollowerEntry, ShellContext } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import { changeFollower, keepPair } from "./follower-change.js";
 import { followerDrawing } from "./follower-drawings.js";
 import { mark } from "./help-mark.js";
@@ -42,7 +42,7 @@ export function createFollowerChoice({ store, catalogue, t, room }, texts) {
     for (const { entry, input } of radios) input.parentElement?.toggleAttribute("hidden", !suited.includes(entry.id));
     for (const { entry, input } of radios) if (input.checked !== (entry === current)) input.checked = entry === current;
     const name = current ? t(`follower.${current.id}`) : "";
-    if (chosen.textContent !== name) chosen.textContent = name;
+    write(chosen, name);
   }
 
   return { root, update };

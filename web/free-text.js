@@ -120,7 +120,7 @@ export function createTableField(context, place) {
     const segment = design.segments[index()];
     const last = segment?.points?.at(-1)?.[0];
     span.hidden = last === undefined || last <= 0 || last === segment?.beta || !field.readable();
-    if (last !== undefined) span.textContent = t("table.span", { angle: format.number(last, { unit: "°" }) });
+    if (last !== undefined) write(span, t("table.span", { angle: format.number(last, { unit: "°" }) }));
     residuals.hidden = !(Number(segment?.["smoothing"]) > 0);
     if (!residuals.hidden) tell();
   }

@@ -5,7 +5,7 @@
  * @import { NumberProblem } from "./numbers.js"
  */
 import { clean } from "./clean.js";
-import { h } from "./dom.js";
+import { h, write as writeText } from "./dom.js";
 import { CUT, fieldText, parseNumber, restingText } from "./numbers.js";
 import { factor, scrub } from "./scrub.js";
 
@@ -86,7 +86,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     if (state === told) return;
     told = state;
     error.hidden = message === null;
-    if (message !== null && error.textContent !== message) error.textContent = message;
+    if (message !== null) writeText(error, message);
     if (message === null) input.removeAttribute("aria-invalid");
     else input.setAttribute("aria-invalid", "true");
     const described = [unit() && !labelNode?.contains(unitNode) ? unitNode.id : "", message === null ? "" : errorId].filter(Boolean).join(" ");
@@ -200,9 +200,9 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 
     /** Words again, after a change of language. */
     speak() {
-      heard.textContent = ` ${name()}`;
+      writeText(heard, ` ${name()}`);
       if (!labelNode) input.setAttribute("aria-label", name());
-      unitNode.textContent = unit();
+      writeText(unitNode, unit());
       const value = current();
       if (value !== undefined && !pending) show(value);
       update(store.state);
@@ -210,7 +210,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 
     /** The unit alone, which follows the design. */
     speakUnit() {
-      if (unitNode.textContent !== unit()) unitNode.textContent = unit();
+      writeText(unitNode, unit());
     },
 
     /** Forgets what could not be read. */

@@ -3,7 +3,7 @@
  *
  * @import { Context, Report, State } from "./types.d.ts"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { cycleOf, decimalsOf } from "./stage/clock.js";
 import { AT, instant } from "./stage/instant.js";
@@ -93,7 +93,7 @@ export function mount(root, context) {
       if (element.hidden) continue;
       const place = perSecond ? reading.placeTimed : reading.place;
       const text = place < 0 ? format.number(cursor, { digits: decimalsOf(store.state, cycleOf(report)) }) : format.number(at[place], { digits });
-      if (output.value !== text) output.value = text;
+      write(output, text);
     }
   });
 
@@ -119,15 +119,16 @@ export function mount(root, context) {
       const { reading } = cell;
       cell.digits = digitsOf(reading, report, perSecond);
       const place = reading.place < 0;
-      cell.letter.textContent = place ? letterOf(report) : plain(perSecond ? reading.timed : reading.letter);
+      write(cell.letter, place ? letterOf(report) : plain(perSecond ? reading.timed : reading.letter));
       const name = t(place && report.travels ? "readout.place" : reading.name === "sliding" && report.mechanism.contact === "roller" ? "readout.rolling" : `readout.${reading.name}`);
-      cell.name.textContent = ` ${name}`;
+      write(cell.name, ` ${name}`);
       cell.element.title = name;
-      cell.unit.textContent = reading.unit(report, perSecond);
+      const unit = reading.unit(report, perSecond);
+      write(cell.unit, unit);
       const own = format.number(-reading.size(report, perSecond), { digits: cell.digits }).length;
       figures = Math.max(figures, own);
       cell.element.style.setProperty("--figures", `${own}ch`);
-      measure = Math.max(measure, cell.unit.textContent.length * UNIT);
+      measure = Math.max(measure, unit.length * UNIT);
       cell.element.hidden = reading.name === "contact" && !report.summary.contact;
     }
     grid.style.setProperty("--unit", `${measure}ch`);

@@ -4,7 +4,7 @@
  * @import { Design, ShellContext } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import * as program from "./program.js";
 import { riseUnit, strideUnit } from "./segment-row.js";
 
@@ -66,10 +66,10 @@ export function createClosing({ store, t, format }, texts, add, auto) {
     close.hidden = !(height !== 0 && left <= 0 && program.lastMove(design) >= 0);
     fixes.hidden = [...fixes.children].every((button) => button instanceof HTMLElement && button.hidden);
 
-    sum.textContent = sentence(left, height, design, whole);
+    write(sum, sentence(left, height, design, whole));
     root.classList.toggle("open", left !== 0 || height !== 0);
     problem.hidden = own === "";
-    problem.textContent = own;
+    write(problem, own);
   }
 
   /**

@@ -6,7 +6,7 @@
  * @import { NumberField } from "./number-field.js"
  */
 import { clean } from "./clean.js";
-import { h, symbol } from "./dom.js";
+import { h, symbol, write, writeAttribute } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { setBeta } from "./free-data.js";
 import { createFreeEditor } from "./free-editor.js";
@@ -158,16 +158,16 @@ export function createSegmentRow(context, actions) {
     const entry = catalogue.laws.find(({ id: known }) => known === segment.law);
     if (entry !== law) adoptLaw(entry);
     if (renumbered) {
-      grip.textContent = String(index + 1);
+      write(grip, String(index + 1));
       speak();
     }
     rise.input.disabled = entry !== undefined && (!entry.moves || (entry.free !== null && segment.rise === undefined));
-    lawSelect.value = segment.law;
-    lawSelect.title = t(`law.${segment.law}`);
+    if (lawSelect.value !== segment.law) lawSelect.value = segment.law;
+    writeAttribute(lawSelect, "title", t(`law.${segment.law}`));
     thumbnail.draw(entry?.thumbnail ?? [], (segment.rise ?? 0) < 0);
     const name = t("segments.grip", { ...number(), from: format.number(from, { unit: strideUnit(design) }), to: format.number(from + segment.beta, { unit: strideUnit(design) }) });
-    grip.setAttribute("aria-label", name);
-    grip.title = name;
+    writeAttribute(grip, "aria-label", name);
+    writeAttribute(grip, "title", name);
     for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.update(store.state);
     editor?.update(store.state);
     tell(wrong && isOwn(wrong.path) ? wrong.message : null);
@@ -183,7 +183,7 @@ export function createSegmentRow(context, actions) {
   /** @param {string | null} message */
   function tell(message) {
     problem.hidden = message === null;
-    problem.textContent = message ?? "";
+    write(problem, message ?? "");
     if (message === null) lawSelect.removeAttribute("aria-describedby");
     else lawSelect.setAttribute("aria-describedby", problem.id);
   }

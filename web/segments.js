@@ -6,7 +6,7 @@
  * @import { SegmentRow } from "./segment-row.js"
  * @import { Texts } from "./texts.js"
  */
-import { h, symbol } from "./dom.js";
+import { h, symbol, write } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { onDemand } from "./on-demand.js";
 import * as program from "./program.js";
@@ -180,8 +180,8 @@ export function createSegments(context, texts) {
     rows.forEach((row, index) => row.update(index));
     const ready = design.cam.kind === "constant-breadth" && design.cam.generator !== "mirror";
     root.hidden = ready;
-    riseHead.textContent = riseUnit(design);
-    betaHead.textContent = strideUnit(design);
+    write(riseHead, riseUnit(design));
+    write(betaHead, strideUnit(design));
     add.disabled = full();
     auto.hidden = !["rotating", "grooved"].includes(design.cam.kind);
     closing.update();

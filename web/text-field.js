@@ -3,7 +3,7 @@
  *
  * @import { Segment, ShellContext, State } from "./types.d.ts"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import { mark } from "./help-mark.js";
 
 /** Lines of a long text that are seen at once. */
@@ -93,7 +93,7 @@ export function createTextField({ store, t }, { id, index }, kind) {
     const own = state.error?.path === path() || state.error?.path.startsWith(`${path()}[`) ? state.error.message : null;
     const message = problem ?? own ?? "";
     error.hidden = message === "";
-    if (error.textContent !== message) error.textContent = message;
+    write(error, message);
     if (message) input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");
     input.setAttribute("aria-describedby", message ? `${error.id} ${hint.id}` : hint.id);
@@ -102,8 +102,8 @@ export function createTextField({ store, t }, { id, index }, kind) {
   /** What is asked for, and in what. */
   function word() {
     swings = kind.radians === true && store.state.design.follower.motion === "oscillating";
-    label.textContent = t(swings ? `free.${key}.swing` : `free.${key}`, { number: index() + 1 });
-    hint.textContent = `${swings ? `${t(`free.${key}.swing.hint`)} ` : ""}${t(`free.${key}.hint`)}`;
+    write(label, t(swings ? `free.${key}.swing` : `free.${key}`, { number: index() + 1 }));
+    write(hint, `${swings ? `${t(`free.${key}.swing.hint`)} ` : ""}${t(`free.${key}.hint`)}`);
   }
 
   return {

@@ -3,7 +3,7 @@
  *
  * @import { Context, State } from "./types.d.ts"
  */
-import { h, write } from "./dom.js";
+import { h, write, writeAttribute } from "./dom.js";
 import { parseNumber } from "./numbers.js";
 import { WHEEL, bounced, cycleOf, decimalsOf, inside, positionOf, rateAt, stepped, stride, turned } from "./stage/clock.js";
 import { closeFrame, metered } from "./stage/meter.js";
@@ -137,7 +137,8 @@ export function mount(root, { store, t, format }) {
   /** @param {boolean} [always]  also while the field is being typed in */
   function showAngle(always = false) {
     if (!always && document.activeElement === angle) return;
-    angle.value = placeText(format, store.state.report, store.state.cursor, decimalsOf(store.state, cycle));
+    const text = placeText(format, store.state.report, store.state.cursor, decimalsOf(store.state, cycle));
+    if (angle.value !== text) angle.value = text;
   }
 
   const show = metered(() => {
@@ -149,7 +150,7 @@ export function mount(root, { store, t, format }) {
 
   store.subscribe(["cursor", "language"], show);
   store.subscribe(["playing", "language"], ({ playing }) => {
-    play.textContent = t(playing ? "transport.pause" : "transport.play");
+    write(play, t(playing ? "transport.pause" : "transport.play"));
     play.dataset["state"] = playing ? "playing" : "paused";
     showAngle();
     run();
@@ -162,7 +163,7 @@ export function mount(root, { store, t, format }) {
   store.subscribe(["highlight"], lightTicks);
   store.subscribe(["language"], word);
   word();
-  play.textContent = t(store.state.playing ? "transport.pause" : "transport.play");
+  write(play, t(store.state.playing ? "transport.pause" : "transport.play"));
   play.dataset["state"] = store.state.playing ? "playing" : "paused";
   if (/** @type {State["report"] | undefined} */ (store.state.report)) {
     adoptCycle();
@@ -194,8 +195,8 @@ export function mount(root, { store, t, format }) {
     const real = format.quantity(report.period, { trim: true, unit: "s" });
     const shown = rate === 0 ? t(report.travels ? "transport.stopped.travel" : "transport.stopped", { real }) : t(report.travels ? "transport.pace.travel" : "transport.pace", { shown: format.quantity(1 / Math.abs(rate), { trim: true, unit: "s" }), real });
     write(pace, shown);
-    wheel.setAttribute("aria-valuetext", rate < 0 ? `${shown}, ${t("transport.backwards")}` : shown);
-    reverse.setAttribute("aria-pressed", String(rate < 0));
+    writeAttribute(wheel, "aria-valuetext", rate < 0 ? `${shown}, ${t("transport.backwards")}` : shown);
+    writeAttribute(reverse, "aria-pressed", String(rate < 0));
   }
 
   function showTicks() {
@@ -223,14 +224,14 @@ export function mount(root, { store, t, format }) {
     root.setAttribute("aria-label", t("transport.title"));
     const report = /** @type {State["report"] | undefined} */ (store.state.report);
     const unit = report ? `${format.number(cycle.unit)}${cycle.travels ? `\u00a0${report.units.length}` : "°"}` : "1°";
-    back.textContent = `−${unit}`;
-    forth.textContent = `+${unit}`;
+    write(back, `−${unit}`);
+    write(forth, `+${unit}`);
     back.setAttribute("aria-label", cycle.travels ? t("transport.back.travel", { unit }) : t("transport.back"));
     forth.setAttribute("aria-label", cycle.travels ? t("transport.forth.travel", { unit }) : t("transport.forth"));
     reverse.setAttribute("aria-label", t("transport.reverse"));
     reverse.title = t("transport.reverse");
     scrub.setAttribute("aria-label", t(cycle.travels ? "transport.scrub.travel" : "transport.scrub"));
     angleLabel.replaceChildren(h("i", { class: "symbol" }, report ? letterOf(report) : "θ"), h("span", { class: "unseen" }, ` ${t(cycle.travels ? "transport.place" : "transport.angle")}`));
-    wheelLabel.textContent = t("transport.speed");
+    write(wheelLabel, t("transport.speed"));
   }
 }
