@@ -7,6 +7,7 @@ import { h } from "./dom.js";
 import { createFollowerChoice } from "./follower-choice.js";
 import { createGeometry } from "./geometry.js";
 import { createKindChoice } from "./kind-choice.js";
+import { markPending } from "./pending.js";
 import { createSegments } from "./segments.js";
 import { onDemand } from "./on-demand.js";
 import { createTexts } from "./texts.js";
@@ -33,6 +34,7 @@ export function mount(root, context) {
     geometry.update();
     kind.update();
     segments.update();
+    markPending();
   }
 
   update();

@@ -7,6 +7,7 @@
 import { clean } from "./clean.js";
 import { h, write as writeText } from "./dom.js";
 import { CUT, fieldText, parseNumber, restingText } from "./numbers.js";
+import { notePending } from "./pending.js";
 import { factor, scrub } from "./scrub.js";
 
 let sessions = 0;
@@ -92,7 +93,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     const described = [unit() && !labelNode?.contains(unitNode) ? unitNode.id : "", message === null ? "" : errorId].filter(Boolean).join(" ");
     if (described) input.setAttribute("aria-describedby", described);
     else input.removeAttribute("aria-describedby");
-    input.toggleAttribute("data-pending", pending !== null);
+    notePending(input, pending !== null);
   }
 
   /** @param {string} gesture */
