@@ -17,15 +17,13 @@ import { instant } from "./stage/instant.js";
 import { metered } from "./stage/meter.js";
 import { FLAG, LABELS, atTheta, drawOverlay } from "./stage/overlay.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
+import { onPixelRatio, pixelRatio, sizeCanvas } from "./stage/pixel-ratio.js";
 import { inSight, letterOf, placeText, seesSecond } from "./stage/place.js";
 import { PLOTS, TABS, styleOf, tabOf, unitOf } from "./stage/plots.js";
 import { vectorDrawings } from "./stage/print.js";
 import { watchVisibility } from "./stage/visibility.js";
 import { plain } from "./signs.js";
 
-/** plotters draws at whole pixels: with fewer than two of them for a CSS pixel slow curves show steps. */
-const LEAST_RATIO = 2;
-const SHARPEST = 3;
 /** What the tabs are called on their buttons. @type {Readonly<Record<Tab, string>>} */
 const SHORT = { svaj: "SVAJ", pressure_angle: "φ", rho: "ρ", contact: "q" };
 
@@ -50,7 +48,7 @@ export function mount(root, context) {
 
   const surface = /** @type {CanvasRenderingContext2D} */ (overlay.getContext("2d"));
   let palette = readPalette();
-  let ratio = LEAST_RATIO;
+  let ratio = pixelRatio();
   let width = 0;
   let height = 0;
   /** @type {{ diagram: Diagram, left: number, top: number, wide: number, tall: number, labels: boolean }[]} */
@@ -69,11 +67,8 @@ export function mount(root, context) {
   const drawAll = inView(paintAll);
   const moved = inView(metered(drawCursor));
 
-  new ResizeObserver(() => {
-    palette = readPalette();
-    measure();
-    drawAll();
-  }).observe(plots);
+  new ResizeObserver(fit).observe(plots);
+  onPixelRatio(fit);
   onAppearance(() => {
     palette = readPalette();
     schedule();
@@ -118,6 +113,13 @@ export function mount(root, context) {
     for (const { plot, element } of Object.values(figures)) element.hidden = !shown.includes(plot.diagram);
   }
 
+  /** Another size, or another screen. */
+  function fit() {
+    palette = readPalette();
+    measure();
+    drawAll();
+  }
+
   function schedule() {
     if (drawing) return;
     drawing = true;
@@ -132,24 +134,21 @@ export function mount(root, context) {
   function measure() {
     width = plots.clientWidth;
     height = plots.clientHeight;
-    ratio = Math.min(Math.max(devicePixelRatio, LEAST_RATIO), SHARPEST);
+    ratio = pixelRatio();
     const shown = TABS[tabOf(store.state)];
     const foot = Math.round(palette.chartSize * LABELS);
     const each = Math.floor((height - foot - Math.round(palette.chartSize * FLAG)) / shown.length);
     const { element, canvas } = figures[/** @type {Diagram} */ (shown[0])];
     // The caption stands above.
     const head = canvas.offsetTop - element.offsetTop;
-    const [left, wide] = [canvas.offsetLeft, canvas.clientWidth];
+    const [left, wide] = [canvas.offsetLeft, element.clientWidth];
     slots = shown.map((diagram, i) => ({ diagram, left, top: i * each + head, wide, tall: each - head + (i === shown.length - 1 ? foot : 0), labels: i === shown.length - 1 }));
     for (const slot of slots) {
       const figure = figures[slot.diagram];
       figure.element.style.height = `${slot.tall + head}px`;
-      figure.canvas.style.height = `${slot.tall}px`;
-      figure.canvas.width = Math.round(wide * ratio);
-      figure.canvas.height = Math.round(slot.tall * ratio);
+      sizeCanvas(figure.canvas, wide, slot.tall, ratio);
     }
-    overlay.width = Math.round(width * ratio);
-    overlay.height = Math.round(height * ratio);
+    sizeCanvas(overlay, width, height, ratio);
   }
 
   /** Draws the curves of the chosen tab: once a design, size, theme or language. */

@@ -3,7 +3,7 @@
  *
  * @import { Context, State } from "./types.d.ts"
  */
-import { h } from "./dom.js";
+import { h, write } from "./dom.js";
 import { atRest } from "./rest.js";
 import { STEP, handle } from "./stage/handling.js";
 import { mechanismInWords } from "./stage/in-words.js";
@@ -13,6 +13,7 @@ import { layersMenu } from "./stage/layers-menu.js";
 import { metered } from "./stage/meter.js";
 import { onAppearance, paperPalette, readPalette } from "./stage/palette.js";
 import { Pen } from "./stage/pen.js";
+import { onPixelRatio, pixelRatio, sizeCanvas } from "./stage/pixel-ratio.js";
 import { Scene } from "./stage/scene.js";
 import { createSight } from "./stage/sight.js";
 import { fitView } from "./stage/view.js";
@@ -22,8 +23,6 @@ import { watchVisibility } from "./stage/visibility.js";
 const MARGIN = 14;
 /** Below a yoke, a pair or a wedge, which fill the corners, room for the scale bar and its label. */
 const SCALE_ROOM = 20;
-/** A canvas does not get sharper than this many device pixels for a CSS pixel. */
-const SHARPEST = 3;
 
 /**
  * @param {HTMLElement} root
@@ -63,19 +62,18 @@ export function mount(root, context) {
   const draw = watchVisibility(frame).inView(paint);
   const sight = createSight(pen.view, fitted, () => store.touch("window"));
 
-  new ResizeObserver(() => {
+  function measure() {
     pen.palette = readPalette();
     width = frame.clientWidth;
     height = frame.clientHeight;
-    pen.ratio = Math.min(Math.max(devicePixelRatio, 1), SHARPEST);
-    canvas.width = Math.round(width * pen.ratio);
-    canvas.height = Math.round(height * pen.ratio);
-    // As large as it is drawn: a frame of half a pixel would blur every line.
-    canvas.style.inlineSize = `${canvas.width / pen.ratio}px`;
-    canvas.style.blockSize = `${canvas.height / pen.ratio}px`;
+    pen.ratio = pixelRatio();
+    sizeCanvas(canvas, width, height, pen.ratio);
     if (scene && !(sight.chosen() && sight.found())) sight.look(true);
     draw();
-  }).observe(frame);
+  }
+
+  new ResizeObserver(measure).observe(frame);
+  onPixelRatio(measure);
 
   onAppearance(() => {
     pen.palette = readPalette();
@@ -153,7 +151,7 @@ export function mount(root, context) {
 
   function tellPointer() {
     if (!pointer || !scene) {
-      coordinates.textContent = "";
+      write(coordinates, "");
       return;
     }
     const { x, y } = pointer;
@@ -161,16 +159,16 @@ export function mount(root, context) {
     const digitsOf = Math.max(0, Math.ceil(Math.log10(pen.view.scale)));
     if (scene.report.travels) {
       const told = (/** @type {number} */ value) => format.number(value, { digits: digitsOf });
-      coordinates.textContent = t("stage.pointer.travel", { x: told(x), y: told(y), place: told(x + store.state.cursor), unit: scene.report.units.length });
+      write(coordinates, t("stage.pointer.travel", { x: told(x), y: told(y), place: told(x + store.state.cursor), unit: scene.report.units.length }));
       return;
     }
     const around = 90 - (Math.atan2(y, x) * 180) / Math.PI;
     // The cam angle at which this place of the cam stands upright.
     const place = (((sense * around + store.state.cursor) % 360) + 360) % 360;
     const length = (/** @type {number} */ value) => format.number(value, { digits: digitsOf });
-    coordinates.textContent = t("stage.pointer", {
+    write(coordinates, t("stage.pointer", {
       x: length(x), y: length(y), r: length(Math.hypot(x, y)), angle: format.angle(place), unit: scene.report.units.length,
-    });
+    }));
   }
 
   /** Names. */

@@ -12,12 +12,11 @@ import { moveCursor } from "../stage/cursor-hand.js";
 import { AT, instant } from "../stage/instant.js";
 import { FLAG, drawOverlay } from "../stage/overlay.js";
 import { onAppearance, readColour, readPalette } from "../stage/palette.js";
+import { onPixelRatio, pixelRatio, sizeCanvas } from "../stage/pixel-ratio.js";
 import { letterOf, placeText } from "../stage/place.js";
 import { PLOTS, styleOf } from "../stage/plots.js";
 import { watchVisibility } from "../stage/visibility.js";
 
-/** Device pixels to a CSS pixel, as for the other diagrams. */
-const LEAST_RATIO = 2;
 /** Heights of a diagram that stands alone, and of one of two, CSS pixels. */
 const ALONE = 210;
 const AMONG = 130;
@@ -45,10 +44,15 @@ export function createPlots(context, work) {
   let figures = [];
   /** @type {Row[]} */
   let rows = [];
+  /** Of the room for the diagrams, CSS pixels; 0 while it is out of sight. */
+  let width = 0;
+  let height = 0;
+  let ratio = pixelRatio();
 
   new ResizeObserver(() => draw()).observe(plots);
+  onPixelRatio(() => draw());
   onAppearance(() => draw());
-  store.subscribe(["cursor", "highlight"], watchVisibility(plots).inView(drawCursor));
+  store.subscribe(["cursor", "highlight", "playing"], watchVisibility(plots).inView(drawCursor));
 
   /** @param {number} index */
   function figure(index) {
@@ -77,36 +81,36 @@ export function createPlots(context, work) {
 
   function draw() {
     const { driven, report } = work;
-    if (!driven || !report || plots.clientWidth === 0) return;
+    width = plots.clientWidth;
+    if (!driven || !report || width === 0) return;
     const { outputs } = report;
     if (figures.length !== outputs.length) {
       figures = outputs.map((_, index) => figure(index));
       plots.replaceChildren(...figures.map(({ element }) => element), overlay);
-      plots.style.setProperty("--tall", `${outputs.length > 1 ? AMONG : ALONE}px`);
     }
     palette = readPalette();
     plots.style.setProperty("--flag", `${Math.round(palette.chartSize * FLAG)}px`);
-    const ratio = Math.max(LEAST_RATIO, devicePixelRatio);
+    ratio = pixelRatio();
     const { span, travels } = store.state.report;
+    const tall = outputs.length > 1 ? AMONG : ALONE;
     rows = outputs.map((output, index) => {
-      const { canvas, letter, name, extremes } = /** @type {ReturnType<typeof figure>} */ (figures[index]);
+      const { element, canvas, letter, name, extremes } = /** @type {ReturnType<typeof figure>} */ (figures[index]);
       const { range, values } = caption(output);
       letter.replaceChildren(output.symbol.length === 2 ? symbol(output.symbol) : output.symbol);
       write(name, `${output.name} (${output.unit})`);
       write(extremes, range);
       const count = index === report.main ? report.targets.length : 0;
       canvas.setAttribute("aria-label", t("application.alternative", { ...values, name: output.name, count }));
-      const [width, height] = [canvas.clientWidth, canvas.clientHeight];
-      canvas.width = Math.round(width * ratio);
-      canvas.height = Math.round(height * ratio);
+      const wide = element.clientWidth;
+      sizeCanvas(canvas, wide, tall, ratio);
       const colour = readColour(OUTPUT_COLOURS[index] ?? "output");
-      const style = { ...styleOf(PLOTS.s, palette, store.state, { width, height, ratio, labels: true }), curve: colour, dash: index > 0 ? [7, 3] : [], per_second: byTime };
+      const style = { ...styleOf(PLOTS.s, palette, store.state, { width: wide, height: tall, ratio, labels: true }), curve: colour, dash: index > 0 ? [7, 3] : [], per_second: byTime };
       const area = driven.draw(canvas, index, style);
       // Time and θ go together: for the cursor both diagrams run from 0 to the end of the cycle.
       return { area: { ...area, x_min: 0, x_max: span }, x: canvas.offsetLeft, y: canvas.offsetTop, place: index, colour };
     });
-    overlay.width = Math.round(plots.clientWidth * ratio);
-    overlay.height = Math.round(plots.clientHeight * ratio);
+    height = plots.clientHeight;
+    sizeCanvas(overlay, width, height, ratio);
     overlay.setAttribute("aria-label", t("application.cursor"));
     overlay.setAttribute("aria-valuemax", String(span));
     against.word(t("application.against"), (value) => t(value === "theta" && travels ? "application.against.theta.travel" : `application.against.${value}`), (value) => t(`application.against.${value}`), byTime ? "time" : "theta");
@@ -115,7 +119,7 @@ export function createPlots(context, work) {
 
   function drawCursor() {
     const { driven, report } = work;
-    if (!driven || !report || rows.length === 0) return;
+    if (!driven || !report || rows.length === 0 || width === 0) return;
     const { cursor, highlight, report: cam } = store.state;
     const at = driven.at(cursor);
     report.outputs.forEach(({ symbol: sign, unit }, index) => {
@@ -125,10 +129,11 @@ export function createPlots(context, work) {
     const place = `${letterOf(cam)} ${placeText(format, cam, cursor, decimalsOf({ cursor, playing: true }, cycleOf(cam)))}`;
     const seconds = `t ${format.quantity(instant(context)[AT.t], { unit: "s" })}`;
     const label = byTime ? seconds : place;
+    drawOverlay(surface, { rows, width, height, ratio, cursor, hover: NaN, label, highlight, report: cam, at, palette });
+    // For a reader of the screen; not sixty times a second.
+    if (store.state.playing && overlay.hasAttribute("aria-valuenow")) return;
     overlay.setAttribute("aria-valuenow", cursor.toFixed(cam.travels ? 3 : 1));
     overlay.setAttribute("aria-valuetext", `${place}, ${seconds}`);
-    const ratio = overlay.width / Math.max(1, plots.clientWidth);
-    drawOverlay(surface, { rows, width: plots.clientWidth, height: plots.clientHeight, ratio, cursor, hover: NaN, label, highlight, report: cam, at, palette });
   }
 
   moveCursor(overlay, store, () => rows[0]);

@@ -25,7 +25,6 @@ const SHEET = `
 .application-plots figcaption > .symbol { font-size: 1.45em; }
 .application-plots output { margin-inline-start: auto; font-size: 1.15em; white-space: nowrap; }
 .application-plots figcaption .application-extremes { flex-basis: 100%; }
-.application-plots canvas.diagram-canvas { block-size: var(--tall, 180px); }
 .application-bar { display: flex; flex-wrap: wrap; align-items: center; justify-content: space-between; gap: var(--space-2); }
 .application-targets { display: grid; grid-template-columns: minmax(8.5rem, 10rem) minmax(0, 1fr); gap: var(--space-1) var(--space-3); padding: 0; }
 .application-targets > :is(legend, .error, .hint, .application-of, .application-worst) { grid-column: 1 / -1; }

@@ -6,10 +6,8 @@
  */
 import { h } from "../dom.js";
 import { onAppearance, readPalette } from "../stage/palette.js";
+import { pixelRatio, onPixelRatio } from "../stage/pixel-ratio.js";
 import { PLOTS, styleOf } from "../stage/plots.js";
-
-/** Device pixels to a CSS pixel, as for the other diagrams. */
-const LEAST_RATIO = 2;
 
 /**
  * @param {ShellContext} context
@@ -27,6 +25,7 @@ export function createBoard({ store, t, module }, heights, ready) {
   let palette = readPalette();
 
   new ResizeObserver(draw).observe(canvas);
+  onPixelRatio(draw);
   onAppearance(() => {
     palette = readPalette();
     draw();
@@ -35,7 +34,7 @@ export function createBoard({ store, t, module }, heights, ready) {
   function draw() {
     const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     if (width === 0 || height === 0) return;
-    const ratio = Math.max(devicePixelRatio, LEAST_RATIO);
+    const ratio = pixelRatio();
     [canvas.width, canvas.height] = [Math.round(width * ratio), Math.round(height * ratio)];
     const style = styleOf(PLOTS.s, palette, { ...store.state, perSecond: false }, { width, height, ratio, labels: true });
     const all = heights();
