@@ -70,6 +70,15 @@ export function writeAttribute(element, name, value) {
 }
 
 /**
+ * Hides an element or shows it. Setting `hidden` to the value that it has would restyle the element all the same.
+ * @param {HTMLElement} element
+ * @param {boolean} hidden
+ */
+export function hide(element, hidden) {
+  if (element.hidden !== hidden) element.hidden = hidden;
+}
+
+/**
  * A symbol as in the books: italic letter, upright index. "Rb" and "R_b" give R with b below. It is that of the notation in use, unless
  * its letter is the follower's own.
  * @param {string} ours

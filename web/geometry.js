@@ -5,7 +5,7 @@
  * @import { NumberField } from "./number-field.js"
  * @import { Texts } from "./texts.js"
  */
-import { h, symbol, write } from "./dom.js";
+import { h, hide, symbol, write } from "./dom.js";
 import { followerEntry } from "./follower-choice.js";
 import { createHelpDrawing } from "./help-drawing.js";
 import { mark } from "./help-mark.js";
@@ -194,7 +194,7 @@ export function createGeometry(context, texts) {
     choose(lengthUnit, design.length_unit);
     choose(rotation, design.cam.rotation ?? "counterclockwise");
     const orphan = error !== null && !/^(segments|conjugate)|generator|sides/.test(error.path) && !owned(error.path);
-    general.hidden = !orphan;
+    hide(general, !orphan);
     write(general, orphan ? error.message : "");
   }
 

@@ -4,7 +4,7 @@
  * @import { KindId, ShellContext } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
-import { h } from "./dom.js";
+import { h, hide } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { changeKind } from "./kind-change.js";
 import { createBreadthPanel } from "./kind-panel/breadth.js";
@@ -53,7 +53,7 @@ export function createKindChoice(context, texts) {
     const { cam, conjugate } = store.state.design;
     if (select.value !== cam.kind) select.value = cam.kind;
     const pairs = cam.kind === "rotating" || cam.kind === "constant-breadth";
-    pair.hidden = !pairs || conjugate !== undefined;
+    hide(pair, !pairs || conjugate !== undefined);
     for (const [name, wanted] of /** @type {const} */ ([["breadth", cam.kind === "constant-breadth"], ["pair", conjugate !== undefined]])) {
       if (parts[name]) parts[name].update();
       else if (wanted) show(name);

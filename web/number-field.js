@@ -5,7 +5,7 @@
  * @import { NumberProblem } from "./numbers.js"
  */
 import { clean } from "./clean.js";
-import { h, write as writeText } from "./dom.js";
+import { h, hide, write as writeText } from "./dom.js";
 import { CUT, fieldText, parseNumber, restingText } from "./numbers.js";
 import { notePending } from "./pending.js";
 import { factor, scrub } from "./scrub.js";
@@ -86,7 +86,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     const state = `${message ?? ""}\n${pending !== null}\n${unit()}`;
     if (state === told) return;
     told = state;
-    error.hidden = message === null;
+    hide(error, message === null);
     if (message !== null) writeText(error, message);
     if (message === null) input.removeAttribute("aria-invalid");
     else input.setAttribute("aria-invalid", "true");

@@ -6,7 +6,7 @@
  * @import { NumberField } from "./number-field.js"
  */
 import { clean } from "./clean.js";
-import { h, symbol, write, writeAttribute } from "./dom.js";
+import { h, hide, symbol, write, writeAttribute } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { setBeta } from "./free-data.js";
 import { createFreeEditor } from "./free-editor.js";
@@ -182,7 +182,7 @@ export function createSegmentRow(context, actions) {
 
   /** @param {string | null} message */
   function tell(message) {
-    problem.hidden = message === null;
+    hide(problem, message === null);
     write(problem, message ?? "");
     if (message === null) lawSelect.removeAttribute("aria-describedby");
     else lawSelect.setAttribute("aria-describedby", problem.id);

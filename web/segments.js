@@ -6,7 +6,7 @@
  * @import { SegmentRow } from "./segment-row.js"
  * @import { Texts } from "./texts.js"
  */
-import { h, symbol, write } from "./dom.js";
+import { h, hide, symbol, write } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { onDemand } from "./on-demand.js";
 import * as program from "./program.js";
@@ -179,11 +179,11 @@ export function createSegments(context, texts) {
     }
     rows.forEach((row, index) => row.update(index));
     const ready = design.cam.kind === "constant-breadth" && design.cam.generator !== "mirror";
-    root.hidden = ready;
+    hide(root, ready);
     write(riseHead, riseUnit(design));
     write(betaHead, strideUnit(design));
     add.disabled = full();
-    auto.hidden = !["rotating", "grooved"].includes(design.cam.kind);
+    hide(auto, !["rotating", "grooved"].includes(design.cam.kind));
     closing.update();
   }
 

@@ -3,7 +3,7 @@
  *
  * @import { Segment, ShellContext, State } from "./types.d.ts"
  */
-import { h, write } from "./dom.js";
+import { h, hide, write } from "./dom.js";
 import { mark } from "./help-mark.js";
 
 /** Lines of a long text that are seen at once. */
@@ -92,7 +92,7 @@ export function createTextField({ store, t }, { id, index }, kind) {
     }
     const own = state.error?.path === path() || state.error?.path.startsWith(`${path()}[`) ? state.error.message : null;
     const message = problem ?? own ?? "";
-    error.hidden = message === "";
+    hide(error, message === "");
     write(error, message);
     if (message) input.setAttribute("aria-invalid", "true");
     else input.removeAttribute("aria-invalid");

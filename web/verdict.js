@@ -5,7 +5,7 @@
  * @import { FindingItem } from "./finding-item.js"
  * @import { DesignError, Finding, Level, Report, ShellContext } from "./types.d.ts"
  */
-import { h, s, write } from "./dom.js";
+import { h, hide, s, write } from "./dom.js";
 import { createFigures } from "./figures.js";
 import { createFindingItem } from "./finding-item.js";
 import { createFindingsView } from "./findings-view.js";
@@ -74,9 +74,9 @@ export function mount(root, context) {
     show(error ? [] : report.verdict.findings);
     if (report !== shown) awaitCures(report);
     write(note, t("verdict.stopped.kept"));
-    note.hidden = error === null;
-    view.hidden = items.length === 0;
-    unfold.hidden = error !== null;
+    hide(note, error === null);
+    hide(view, items.length === 0);
+    hide(unfold, error !== null);
     write(all, items.length > 0 ? t("verdict.all", { count: items.length }) : t("verdict.figures"));
     figures.update();
     say(`${lead} ${rest}`);

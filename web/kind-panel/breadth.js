@@ -3,7 +3,7 @@
  *
  * @import { Generator, ShellContext } from "../types.d.ts"
  */
-import { h, write } from "../dom.js";
+import { h, hide, write } from "../dom.js";
 import { changeGenerator } from "../kind-change.js";
 import { breadthTravel } from "../program.js";
 import { rounded } from "./rounded.js";
@@ -32,19 +32,25 @@ export function createBreadthPanel(context) {
   function update() {
     const { design, report, error: wrong, stale } = store.state;
     const { cam, length_unit: unit } = design;
-    root.hidden = cam.kind !== "constant-breadth";
+    hide(root, cam.kind !== "constant-breadth");
     if (root.hidden) return;
-    select.value = cam.generator ?? "harmonic";
+    if (select.value !== (cam.generator ?? "harmonic")) select.value = cam.generator ?? "harmonic";
     if (cam.sides !== undefined) sides.value = String(cam.sides);
-    for (const part of [sides, sidesLabel]) part.hidden = cam.generator !== "circular-arc";
+    for (const part of [sides, sidesLabel]) hide(part, cam.generator !== "circular-arc");
     const length = (/** @type {number} */ value) => format.number(value, { unit });
     write(rule, t("breadth.rule", { breadth: format.number(cam.breadth), radius: format.number(cam.base_radius), travel: length(breadthTravel(design)) }));
     const own = wrong && /generator|sides/.test(wrong.path) ? wrong.message : "";
-    error.hidden = own === "";
+    hide(error, own === "");
     write(error, own);
     const program = (!stale && report.program) || [];
-    rows.hidden = program.length === 0;
-    rows.replaceChildren(...program.slice(0, LISTED).map(({ law, beta, rise }) => h("li", {}, h("span", {}, t(law === "circular-arc" ? "breadth.arc" : `law.${law}`)), h("span", {}, format.number(rounded(beta), { unit: "°" })), h("span", {}, rise === 0 ? "" : format.number(rounded(rise), { unit })))));
+    hide(rows, program.length === 0);
+    const listed = program.slice(0, LISTED);
+    while (rows.childElementCount > listed.length) rows.lastElementChild?.remove();
+    while (rows.childElementCount < listed.length) rows.append(h("li", {}, h("span"), h("span"), h("span")));
+    listed.forEach(({ law, beta, rise }, index) => {
+      const texts = [t(law === "circular-arc" ? "breadth.arc" : `law.${law}`), format.number(rounded(beta), { unit: "°" }), rise === 0 ? "" : format.number(rounded(rise), { unit })];
+      texts.forEach((text, column) => write(/** @type {Element} */ (rows.children[index]?.children[column]), text));
+    });
     write(note, cam.generator === "mirror" ? t("breadth.mirror") : t(program.length > LISTED ? "breadth.ready.more" : "breadth.ready", { count: program.length - LISTED }));
   }
 

@@ -4,7 +4,7 @@
  * @import { NumberField } from "../number-field.js"
  * @import { Design, ShellContext, TieKey } from "../types.d.ts"
  */
-import { h, symbol, write } from "../dom.js";
+import { h, hide, symbol, write } from "../dom.js";
 import { mark } from "../help-mark.js";
 import { pairDrawing } from "../kind-drawings.js";
 import { createNumberField, lengthStep } from "../number-field.js";
@@ -132,7 +132,7 @@ export function createPairPanel(context, opener) {
     }
     refusedFor = root.classList.contains("refused") ? design : null;
     const pair = design.conjugate;
-    root.hidden = pair === undefined && !root.classList.contains("refused");
+    hide(root, pair === undefined && !root.classList.contains("refused"));
     if (pair === undefined) return;
     if (root.classList.contains("refused")) refused(false);
     const [tie, radius] = [tieOf(design), radiusKey(design)];
@@ -152,7 +152,7 @@ export function createPairPanel(context, opener) {
     }
     const wrong = error?.path.startsWith("conjugate") ? error : null;
     const orphan = wrong && !shown.some(({ key }) => wrong.path === `conjugate.${key}`);
-    problem.hidden = !orphan;
+    hide(problem, !orphan);
     write(problem, orphan ? wrong.message : "");
     advise(wrong !== null, tie);
     const { pair_angle: angle, conjugate } = store.state.report;
@@ -175,13 +175,13 @@ export function createPairPanel(context, opener) {
   function advise(wanted, key) {
     clearTimeout(asked);
     if (!wanted) {
-      advice.hidden = true;
+      hide(advice, true);
       return;
     }
     asked = window.setTimeout(() => {
       const found = room(store.state.design, key);
       advised = found && { key, value: found.value };
-      advice.hidden = false;
+      hide(advice, false);
       advice.disabled = found === null;
       const number = (/** @type {number} */ value) => format.quantity(value, { trim: true, unit: unitOf(key) });
       const range = found === null ? "" : found.most === null ? t("pair.from", { least: number(found.least) }) : t("pair.between", { least: number(found.least), most: number(found.most) });

@@ -1,5 +1,5 @@
 /** A row of radio buttons that looks like one switch. */
-import { h } from "../dom.js";
+import { h, hide } from "../dom.js";
 
 /**
  * @param {string} name
@@ -21,7 +21,7 @@ export function choice(name, values, onchange) {
      * @param {boolean} offered
      */
     offer(value, offered) {
-      for (const option of options) if (option.value === value) option.label.hidden = !offered;
+      for (const option of options) if (option.value === value) hide(option.label, !offered);
     },
     /**
      * @param {string} title

@@ -12,6 +12,6 @@ export function figure(plot) {
   const name = h("span", { class: "diagram-name" });
   const unit = h("span", { class: "diagram-unit" });
   const sample = s("svg", { class: "diagram-sample", viewBox: "0 0 34 6", "aria-hidden": "true" }, s("path", { d: "M1 3H33" }));
-  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", {}, letter, sample, name, unit), canvas);
+  const element = h("figure", { class: `diagram diagram-${plot.token}` }, h("figcaption", { class: "diagram-caption" }, letter, sample, name, unit), canvas);
   return { plot, element, canvas, letter, name, unit };
 }
