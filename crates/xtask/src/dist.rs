@@ -22,8 +22,8 @@ use crate::{
     wasm::{self, Build},
 };
 
-/// What a first visit may weigh, gzip.
-const FIRST_LOAD_GOAL: usize = 150_000;
+/// What everything on the main screen may weigh in one language, gzip: it arrives in 2.5 s at 1.6 Mbit/s.
+const FIRST_LOAD_GOAL: usize = 360_000;
 
 /// Names of formats, which programs compare but never visit: those of the web, and those of the parts of a workbook.
 const NAMESPACES: [&str; 4] = [
