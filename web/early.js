@@ -17,23 +17,27 @@
   const { words } = document.currentScript?.dataset ?? {};
   if (words) document.head.append(Object.assign(document.createElement("link"), { rel: "modulepreload", href: `${words}.${spoken}.js` }));
 
-  /** Shows the sentence in index.html that names the single file, which needs nothing but itself; it opens the same design. */
-  const nameSingleFile = () => {
-    const sentence = document.getElementById("unstarted");
+  /**
+   * Shows a sentence of index.html about the page in a single file, which needs nothing but itself; its link opens the same design.
+   * @param {string} id
+   */
+  const nameSingleFile = (id) => {
+    const sentence = document.getElementById(id);
     for (const link of sentence?.querySelectorAll("a") ?? []) link.hash = location.hash;
     sentence?.removeAttribute("hidden");
+    sentence?.classList.add("now");
   };
-  // A page without an origin, in a frame with a sandbox or from disk, may load classic scripts such as this one, but no modules. Only the
-  // tag of the module learns of it, and its event does not rise: it is caught on the way down.
-  if (origin === "null") {
-    addEventListener(
-      "error",
-      ({ target }) => {
-        if (!(target instanceof HTMLScriptElement) || target.type !== "module") return;
-        if (document.readyState === "loading") addEventListener("DOMContentLoaded", nameSingleFile);
-        else nameSingleFile();
-      },
-      true,
-    );
-  }
+  // The module may not arrive, or come as something that is no script. A page without an origin, in a frame with a sandbox or from disk, may
+  // load classic scripts such as this one, but no modules. Only the tag of the module learns of it, and its event does not rise: it is
+  // caught on the way down.
+  addEventListener(
+    "error",
+    ({ target }) => {
+      if (!(target instanceof HTMLScriptElement) || target.type !== "module") return;
+      const name = () => nameSingleFile(origin === "null" ? "unstarted" : "late");
+      if (document.readyState === "loading") addEventListener("DOMContentLoaded", name);
+      else name();
+    },
+    true,
+  );
 }

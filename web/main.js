@@ -20,7 +20,7 @@ import { whenIdle } from "./rest.js";
 import { retitled, shelve } from "./shelf.js";
 import { say, speakIn } from "./signs.js";
 import { store } from "./store.js";
-import { createTranslate, learn } from "./strings/index.js";
+import { createTranslate, learn, learned } from "./strings/index.js";
 import * as transport from "./transport.js";
 import * as verdict from "./verdict.js";
 import { whyNotStarted } from "./start-failure.js";
@@ -38,7 +38,10 @@ appearance.follow(store);
 // Not waited for: what it imports on the way may import from this module when they are packed into one file.
 start().catch((error) => {
   console.error(error);
-  banner.show(...whyNotStarted(error));
+  // The words may be what did not arrive: then the sentence in the page has to do.
+  if (!learned(language())) return document.getElementById("late")?.classList.add("now");
+  element("late").remove();
+  banner.show(...whyNotStarted(error, t));
 });
 
 async function start() {
@@ -94,6 +97,7 @@ async function start() {
   });
   store.drawNow();
   performance.mark("levalab:drawn");
+  element("late").remove();
   whenIdle(() => begin(context, engine));
 }
 

@@ -19,6 +19,9 @@ export async function learn(language) {
   Object.assign(LANGUAGES[language], ...Object.values(await PAGE[language]()));
 }
 
+/** @param {Language} language */
+export const learned = (language) => Object.keys(LANGUAGES[language]).length > 0;
+
 /**
  * The words of a part of the page that is loaded when it is first asked for.
  * @param {Record<Language, Record<string, Phrase>>} more
