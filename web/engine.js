@@ -78,9 +78,11 @@ export async function startEngine({ language, restarted }) {
    */
   function failed(error) {
     if (!(error instanceof WebAssembly.RuntimeError)) return restarting;
+    // What fails in an instance that is being replaced is a consequence.
+    if (restarting) return true;
     console.error(error);
     forgetWorkshop();
-    if (!restarting) void restart();
+    void restart();
     return true;
   }
 

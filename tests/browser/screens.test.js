@@ -297,7 +297,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
         }
         return { inked, strange };
       }, ink);
-      assert(inked > 300, `${canvas}: ${inked} pixels in the colour of text`);
+      assert(inked > 150, `${canvas}: ${inked} pixels in the colour of text`);
       assert.equal(strange, 0, `${canvas}: colours of the page's own`);
     }
     assert.deepEqual(await violations(page, `forced colours, ${colorScheme}`), []);
