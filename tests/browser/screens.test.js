@@ -312,3 +312,23 @@ test("colours that are forced, or let go, while the page is open are drawn at on
   await page.emulateMedia({ forcedColors: "none" });
   await becomes(() => picture(page.locator(".diagram-s canvas")), before);
 });
+
+test("every name of a law and of a kind of cam fits into its list, in both languages", async (t) => {
+  for (const locale of ["en-GB", "es-ES"]) {
+    const { page } = await openStill(t, { locale });
+    for (const viewport of [PROJECTOR, LAPTOP]) {
+      await page.setViewportSize(viewport);
+      await frames(page);
+      const long = await page.locator("select.law, #field-kind").evaluateAll((lists) => {
+        const measure = document.createElement("canvas").getContext("2d");
+        return lists.flatMap((list) => {
+          const { fontWeight, fontSize, fontFamily, paddingInlineStart, paddingInlineEnd } = getComputedStyle(list);
+          if (measure) measure.font = `${fontWeight} ${fontSize} ${fontFamily}`;
+          const room = list.clientWidth - parseFloat(paddingInlineStart) - parseFloat(paddingInlineEnd);
+          return [.../** @type {HTMLSelectElement} */ (list).options].map(({ text }) => text).filter((text) => (measure?.measureText(text).width ?? Infinity) > room + 0.5);
+        });
+      });
+      assert.deepEqual([...new Set(long)], [], `${locale}, ${viewport.width}`);
+    }
+  }
+});

@@ -44,16 +44,18 @@ body { --solution-width: min(50rem, 60vw); }
   body:has(> #solution[open]) main { margin-inline-end: var(--solution-width); }
 }
 @media screen and (min-width: 901px) and (max-width: 1799px) {
-  body:has(> #solution[open]) main { grid-template: "design mechanism" minmax(0, 1fr) "design transport" auto "verdict verdict" auto / 376px minmax(0, 1fr); }
+  body:has(> #solution[open]) main { grid-template: "design mechanism" minmax(0, 1fr) "design transport" auto "verdict verdict" auto / var(--design) minmax(0, 1fr); }
   body:has(> #solution[open]) #verdict { grid-template-columns: minmax(0, 1fr); block-size: auto; max-block-size: 40dvh; }
   body:has(> #solution[open]) .figures { justify-content: start; padding-inline-start: calc(1.7rem + var(--space-2)); }
+  body:has(> #solution[open]) .transport-track { min-inline-size: 2.5rem; }
+  body:has(> #solution[open]) .transport-angle { inline-size: 4.4em; }
   body:has(> #solution[open]) .transport-rate { flex-wrap: wrap; }
   body:has(> #solution[open]) .transport-wheel-track { flex: 1 1 0; }
   body:has(> #solution[open]) .transport-pace { flex: 1 0 100%; text-align: start; }
   [data-projector] body:has(> #solution[open]) main { grid-template: "mechanism" minmax(0, 1fr) "transport" auto "verdict" auto / minmax(0, 1fr); }
   body:has(> #solution[open]) :is(#diagrams, #readouts) { display: none; }
 }
-@media screen and (min-width: 901px) and (max-width: 1249px) {
+@media screen and (min-width: 901px) and (max-width: 1340px) {
   :root:not([data-projector]) body:has(> #solution[open]) { block-size: 100dvh; min-block-size: 0; overflow: hidden; }
   body:has(> #solution[open]) main { grid-template: "mechanism" minmax(0, 1fr) "transport" auto "verdict" auto / minmax(0, 1fr); }
   body:has(> #solution[open]) #design { display: none; }
