@@ -9,10 +9,10 @@ import { h } from "./dom.js";
 import { icon } from "./icons.js";
 import { tabOf } from "./stage/plots.js";
 
-/** What can be shown besides, each with its key. @type {readonly { part: "projectorSpeed" | "projectorValues", key: string, name: string }[]} */
+/** What can be shown besides, each with its key. @type {readonly { part: "projectorSpeed" | "projectorValues", key: string, name: string, hint: string }[]} */
 const PARTS = [
-  { part: "projectorSpeed", key: "s", name: "projector.speed" },
-  { part: "projectorValues", key: "v", name: "projector.values" },
+  { part: "projectorSpeed", key: "s", name: "projector.speed", hint: "projector.speed.hint" },
+  { part: "projectorValues", key: "v", name: "projector.values", hint: "projector.values.hint" },
 ];
 
 /** What has Escape for itself while it is open. */
@@ -27,9 +27,9 @@ export function createProjector({ store }, texts) {
   button.addEventListener("click", () => store.set({ projector: !store.state.projector }));
   texts.attribute(button, "aria-label", "header.projector");
   texts.attribute(button, "title", "header.projector.hint");
-  const choices = PARTS.map(({ part, key, name }) => {
+  const choices = PARTS.map(({ part, key, name, hint }) => {
     const choice = texts.text(h("button", { type: "button", class: "quiet projector-choice", "aria-keyshortcuts": key.toUpperCase() }), name);
-    texts.attribute(choice, "title", `${name}.hint`);
+    texts.attribute(choice, "title", hint);
     choice.addEventListener("click", () => store.set({ [part]: !store.state[part] }));
     return { part, choice };
   });
