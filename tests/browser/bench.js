@@ -3,10 +3,15 @@ import { readFile } from "node:fs/promises";
 import os from "node:os";
 import path from "node:path";
 import { drawn, launchBrowser, root, startDist } from "./browser.js";
+import { traced } from "./trace.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
 const SECONDS = 5;
+/** A frame that the eye misses, ms. */
+const LATE = 20;
+/** Between the edits of a slow drag, ms: longer than the 90 for which a hand is held to be at work, so that cures and explanations run between. */
+const SLOW = 140;
 const EDITS = 10_000;
 const MEGABIT = 1e6 / 8;
 
@@ -74,10 +79,12 @@ async function measureAnimation() {
   const { page, close } = await open();
   await observe(page, "levalab:frame");
   await page.waitForTimeout(SECONDS * 1000);
-  const { script } = await observed(page);
+  const { script, frames } = await observed(page);
   table.push(["animation frame, script, median", milliseconds(median(script)), "≤ 1 ms"]);
   table.push(["animation frame, script, p95", milliseconds(p95(script)), ""]);
   table.push([`animation frames in ${SECONDS} s`, String(script.length), `${SECONDS * 60} at 60 Hz`]);
+  tellLate(frames, `of the animation in ${SECONDS} s`, "0");
+  tellTrace("animation", await traced(page, () => page.waitForTimeout(SECONDS * 1000)));
   await close();
 }
 
@@ -98,17 +105,52 @@ async function measureEdits({ cpu = 1, of = "", design } = {}) {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 5, y);
+  /** @param {number} steps  of a swing @param {number} [pause]  ms */
+  async function swing(steps, pause = 0) {
+    const end = performance.now() + SECONDS * 1000;
+    for (let step = 0; performance.now() < end; step++) {
+      await page.mouse.move(x + 60 + 50 * Math.sin(step / steps), y);
+      if (pause > 0) await page.waitForTimeout(pause);
+    }
+  }
   await observe(page, "levalab:edit");
-  const end = performance.now() + SECONDS * 1000;
-  for (let step = 0; performance.now() < end; step++) await page.mouse.move(x + 60 + 50 * Math.sin(step / 20), y);
+  await swing(20);
   const { script, frames } = await observed(page);
+  const quick = await traced(page, () => swing(20));
+  const slow = await traced(page, () => swing(5, SLOW));
   await page.mouse.up();
   const suffix = [of && `, ${of}`, cpu > 1 ? `, CPU ${cpu}×` : ""].join("");
   table.push([`edit → everything redrawn, script, median${suffix}`, milliseconds(median(script)), cpu > 1 ? "" : "≤ 2 ms"]);
   table.push([`edit → everything redrawn, script, p95${suffix}`, milliseconds(p95(script)), cpu > 1 ? "" : "≤ 4 ms"]);
-  const late = frames.filter((time) => time > 20).length;
-  table.push([`frames > 20 ms of ${frames.length} in a ${SECONDS} s drag${suffix}`, String(late), cpu > 1 ? "" : "0"]);
+  tellLate(frames, `in a ${SECONDS} s drag${suffix}`, cpu > 1 ? "" : "0");
+  tellTrace(`drag${suffix}`, quick);
+  tellTrace(`slow drag${suffix}`, slow);
   await close();
+}
+
+/**
+ * @param {number[]} frames  time of each, ms
+ * @param {string} where
+ * @param {string} goal
+ */
+function tellLate(frames, where, goal) {
+  table.push([`frames > ${LATE} ms of ${frames.length} ${where}`, String(frames.filter((time) => time > LATE).length), goal]);
+}
+
+/**
+ * What the browser did, besides the script, for each frame in which something had changed.
+ * @param {string} what
+ * @param {import("./trace.js").Frame[]} frames
+ */
+function tellTrace(what, frames) {
+  const working = frames.filter(({ layout }) => layout > 0);
+  const elements = working.map((frame) => frame.elements);
+  table.push([`${what}, elements restyled a frame, median and most of ${working.length}`, `${median(elements)}, ${quantile(elements, 1)}`, "≤ 60"]);
+  for (const part of /** @type {const} */ (["style", "layout", "paint", "commit"])) {
+    const times = working.map((frame) => frame[part]);
+    table.push([`${what}, ${part} a frame, median and p95`, `${median(times).toFixed(2)}, ${milliseconds(p95(times))}`, ""]);
+  }
+  table.push([`${what}, longest task`, milliseconds(quantile(frames.map(({ task }) => task), 1)), "≤ 50 ms"]);
 }
 
 /** What the page remembers of an earlier visit. @param {object | undefined} design */

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openPage } from "./harness.js";
 import { traced } from "./trace.js";
-import { eventually, frames } from "./user.js";
+import { en, eventually, frames } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 /** @typedef {import("playwright-core").Locator} Locator */
@@ -25,6 +25,9 @@ const LINKS = {
   "a wedge": "1.Wedge.R0_8w50t150C60_20D30C60-12.197YKJ",
   "a groove": "1.Groove.R50_8gC120_20D60C120-20D60.2v56q6",
 };
+
+/** A follower that drives a force. */
+const DRIVING = "1.Example_R6.R2_1uiw12.566op_30_.75p0p56.88_110.27p123.84_79.35p198.72_106.71p256.32N256.32s0v0a0s56.88_1.177s123.84_.847s198.72_1.139s256.32v256.32a256.32D103.68.0WiuYM";
 
 for (const [name, fragment] of Object.entries(LINKS)) {
   test(`${name}: a frame of the animation restyles few elements`, async (t) => {
@@ -55,6 +58,42 @@ for (const [name, fragment] of Object.entries(LINKS)) {
     assert.notEqual(await input.inputValue(), before, "the number did not change");
     assertFew(made, MOVES / 2);
   });
+}
+
+for (const [where, opener] of /** @type {const} */ ([["mechanism and diagrams", null], ["the application", "design.application"], ["the board to draw on", "segments.auto"]])) {
+  test(`${where}: on a screen of another pixel ratio everything is drawn for that screen`, async (t) => {
+    const { page } = await openPage(t, { fragment: opener === "design.application" ? DRIVING : LINKS["a translating roller"], reducedMotion: "reduce" });
+    if (opener) await page.getByRole("button", { name: en(opener), exact: true }).click();
+    const devtools = await page.context().newCDPSession(page);
+    for (const [turn, deviceScaleFactor] of [1, 2, 1.5, 1].entries()) {
+      // Size and place of the window stay.
+      await devtools.send("Emulation.setDeviceMetricsOverride", { width: 1366, height: 768, deviceScaleFactor, mobile: false });
+      // A ratio that is only emulated has Chromium look at the media queries again no sooner than another feature changes: one that means
+      // nothing to the page.
+      await page.emulateMedia({ contrast: turn % 2 ? "more" : "no-preference" });
+      await eventually(() => canvases(page), (seen) => {
+        assert(seen.length >= (opener ? 7 : 6), `only ${seen.length} canvases are in sight`);
+        for (const { name, ratio, drawn } of seen) {
+          assert(Math.abs(ratio - deviceScaleFactor) < 0.01, `${name} has ${ratio} pixels for a CSS pixel instead of ${deviceScaleFactor}`);
+          assert(drawn, `${name} is blank`);
+        }
+      });
+    }
+  });
+}
+
+/**
+ * The canvases in sight: their pixels for a CSS pixel, and whether anything is drawn on them.
+ * @param {Page} page
+ */
+function canvases(page) {
+  return page.locator("canvas:visible").evaluateAll((elements) =>
+    elements.map((element) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (element);
+      const pixels = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data ?? new Uint8ClampedArray();
+      return { name: canvas.className || canvas.ariaLabel, ratio: canvas.width / canvas.getBoundingClientRect().width, drawn: pixels.some((value) => value > 0) };
+    }),
+  );
 }
 
 /** @param {Page} page */
