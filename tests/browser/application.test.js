@@ -1,7 +1,10 @@
 // What the follower drives: chosen, edited, drawn with the points to hit, kept in the link, taken back.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { LINKS as PUBLISHED, becomes, cursor, en, es, eventually, field, fragment, inkOf, level, numberOf, openStill, setCursor, undo, violations } from "./user.js";
+import { openPage } from "./harness.js";
+import {
+  LINKS as PUBLISHED, becomes, cursor, en, es, eventually, field, fragment, inkOf, level, numberOf, setCursor, undo, violations,
+} from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -29,7 +32,7 @@ const values = (page) => page.locator("#application output").allTextContents();
 const errors = (page) => page.locator(".application-errors tbody tr").evaluateAll((rows) => rows.map((row) => [...row.children].map((cell) => cell.textContent)));
 
 test("R6 shows its force against angle and time, its measured points and the error at each", async (t) => {
-  const { page } = await openStill(t, { fragment: R6 });
+  const { page } = await openPage(t, { fragment: R6 });
   await openPanel(page);
   await becomes(() => kind(page).inputValue(), "piston-force");
   await becomes(() => page.locator(".application-figures").textContent(), /K = 93\.68\slbf\/in/);
@@ -58,7 +61,7 @@ test("R6 shows its force against angle and time, its measured points and the err
 });
 
 test("an application is chosen, edited, kept in the link, and taken back", async (t) => {
-  const { page } = await openStill(t, { fragment: PUBLISHED["9RT"] });
+  const { page } = await openPage(t, { fragment: PUBLISHED["9RT"] });
   const button = await openPanel(page);
   await becomes(() => kind(page).inputValue(), "");
   assert.equal(await page.locator("#application canvas").first().isVisible(), false);
@@ -87,7 +90,7 @@ test("an application is chosen, edited, kept in the link, and taken back", async
 });
 
 test("points are pasted from a spreadsheet with its head and decimal commas, by angle or by time", async (t) => {
-  const { page } = await openStill(t, { fragment: PUBLISHED["9RT"], locale: "es-ES" });
+  const { page } = await openPage(t, { fragment: PUBLISHED["9RT"], locale: "es-ES" });
   await openPanel(page, es);
   await kind(page).selectOption("force");
   await page.locator("#application-stiffness").fill("2,5");
@@ -109,7 +112,7 @@ test("points are pasted from a spreadsheet with its head and decimal commas, by 
 });
 
 test("a follower that swings drives nothing, and says why; a wedge delivers there and back", async (t) => {
-  const { page } = await openStill(t, { fragment: R6 });
+  const { page } = await openPage(t, { fragment: R6 });
   await openPanel(page);
   await page.getByRole("radio", { name: en("follower.oscillating-roller") }).check({ force: true });
   await becomes(() => panel(page).getByText(en("application.swings")).isVisible(), true);
@@ -137,14 +140,14 @@ async function furnish(page) {
 test("axe finds nothing in the panel, wide and narrow, light and dark, right and wrong", async (t) => {
   /** @type {string[]} */
   const found = [];
-  const { page } = await openStill(t, { fragment: PUBLISHED["9RT"] });
+  const { page } = await openPage(t, { fragment: PUBLISHED["9RT"] });
   await openPanel(page);
   await furnish(page);
   found.push(...(await violations(page, "application")));
   await targets(page).fill("1\tx");
   await field(page, "base_radius").fill("-1");
   found.push(...(await violations(page, "application, wrong")));
-  const phone = await openStill(t, { fragment: PUBLISHED["9RT"], locale: "es-ES", colorScheme: "dark", viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const phone = await openPage(t, { fragment: PUBLISHED["9RT"], locale: "es-ES", colorScheme: "dark", viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await openPanel(phone.page, es);
   await furnish(phone.page);
   found.push(...(await violations(phone.page, "application, dark phone")));

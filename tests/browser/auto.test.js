@@ -1,7 +1,8 @@
 // Auto: what the machine must do is drawn or typed and becomes a program, seen and explained before it is taken, with one undo.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { LINKS, becomes, diagram, en, es, eventually, fragment, frames, openStill, undo } from "./user.js";
+import { openPage } from "./harness.js";
+import { LINKS, becomes, diagram, en, es, eventually, fragment, frames, undo } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -59,7 +60,7 @@ async function openEmpty(page) {
 }
 
 test("a program is drawn by hand alone, from an empty diagram to what is taken", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await openEmpty(page);
   assert.equal(await dialog(page).getByRole("button", { name: en("auto.take") }).isEnabled(), false);
   await drag(page, await onBoard(page, 0, 0, 10), await onBoard(page, 50, 0.2, 10));
@@ -88,7 +89,7 @@ test("a program is drawn by hand alone, from an empty diagram to what is taken",
 });
 
 test("a requirement is moved and removed by keys, and each change can be taken back in the window", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const start = await fragment(page);
   await openEmpty(page);
   await tool(page, "line").check({ force: true });
@@ -119,7 +120,7 @@ test("a requirement is moved and removed by keys, and each change can be taken b
 });
 
 test("the tangent of a point is turned to a velocity, which is free again when it is removed", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await openEmpty(page);
   const click = await onBoard(page, 180, 10, 10);
   await page.mouse.click(click.x, click.y);
@@ -136,7 +137,7 @@ test("the tangent of a point is turned to a velocity, which is free again when i
 });
 
 test("a finger draws and moves on a phone, and nothing scrolls away under it", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"], viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await openEmpty(page);
   const devtools = await page.context().newCDPSession(page);
   /** @param {{ x: number, y: number }} from @param {{ x: number, y: number }} to */
@@ -158,7 +159,7 @@ test("a finger draws and moves on a phone, and nothing scrolls away under it", a
 });
 
 test("what is held is let go as it was with Escape, and the window stays", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await page.getByRole("button", { name: en("segments.auto"), exact: true }).click();
   await dialog(page).getByRole("listitem").first().waitFor();
   const before = await typed(page);
@@ -174,7 +175,7 @@ test("what is held is let go as it was with Escape, and the window stays", async
 });
 
 test("the dwells of the program at hand are joined anew, with reasons, and one undo takes it back", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const start = await fragment(page);
   await page.getByRole("button", { name: en("segments.auto"), exact: true }).click();
   const reasons = dialog(page).getByRole("listitem");
@@ -194,7 +195,7 @@ test("the dwells of the program at hand are joined anew, with reasons, and one u
 });
 
 test("lines and points are typed in, and what cannot be met is told with its requirement", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await page.getByRole("button", { name: en("segments.auto"), exact: true }).click();
   for (let left = 4; left > 1; left--) await dialog(page).getByRole("button", { name: en("auto.remove", { number: left }) }).click();
   await cell(page, "from", 1).fill("0");
@@ -220,7 +221,7 @@ test("lines and points are typed in, and what cannot be met is told with its req
 });
 
 test("it speaks the language of the page, and stays away from cams that it does not serve", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"], locale: "es-ES" });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"], locale: "es-ES" });
   await page.getByRole("button", { name: es("segments.auto"), exact: true }).click();
   await eventually(() => page.getByRole("dialog").getByRole("listitem").first().innerText(), (text) => assert.match(text, /trapezoidal modificada/));
   await page.getByRole("button", { name: es("auto.close"), exact: true }).click();

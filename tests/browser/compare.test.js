@@ -1,8 +1,9 @@
 // Designs pinned beside each other: their curves and outlines, their table, what the browser keeps of them; the tournament of the laws.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { openPage } from "./harness.js";
 import {
-  LINKS, announced, becomes, diagram, en, eventually, field, fragment, frames, inkOf, law, level, mechanism, nextFragment, openExample, openStill, program, undo,
+  LINKS, announced, becomes, diagram, en, eventually, field, fragment, frames, inkOf, law, level, mechanism, nextFragment, openExample, program, undo,
 } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -26,7 +27,7 @@ async function pinExamples(page, ids) {
 }
 
 test("a pinned design stays beside the next in diagrams and mechanism, through closing and reloading", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await page.locator("body").press("c");
   await becomes(() => announced(page), en("compare.pinned", { name: "Example 9RT", count: 1, most: 12 }));
   await becomes(() => legend(page), ["Example 9RT"]);
@@ -45,7 +46,7 @@ test("a pinned design stays beside the next in diagrams and mechanism, through c
 });
 
 test("what is pinned is the design of the click, even when what pins it comes later than the next edit", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   /** @type {() => void} */
   let release = () => {};
   const gate = new Promise((resolve) => (release = () => resolve(undefined)));
@@ -65,7 +66,7 @@ test("what is pinned is the design of the click, even when what pins it comes la
 });
 
 test("the slate can be renamed, put in order by keyboard, shown or not, and given back", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await pinExamples(page, ["9RT", "R5", "2RO"]);
   await open(page);
   await becomes(() => names(page), ["Example 9RT", "Example R5", "Example 2RO"]);
@@ -99,7 +100,7 @@ test("the slate can be renamed, put in order by keyboard, shown or not, and give
 });
 
 test("an oscillating follower is not drawn on an axis of millimetres, and the legend says so", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await pinExamples(page, ["2RO"]);
   await openExample(page, "9RT");
   await becomes(async () => (await legend(page)).join(), /Example 2RO.*other units/);
@@ -110,7 +111,7 @@ test("an oscillating follower is not drawn on an axis of millimetres, and the le
 });
 
 test("no more are pinned than can be told apart, none twice, and rubbish in the storage is left alone", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await page.locator("#pin").click();
   await becomes(async () => (await legend(page)).length, 1);
   await page.locator("#pin").click();
@@ -137,7 +138,7 @@ test("no more are pinned than can be told apart, none twice, and rubbish in the 
 });
 
 test("the tournament ranks the laws, tells what each design tells on its own, and adopts one with a click", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await open(page);
   await page.getByRole("radio", { name: en("compare.view.laws") }).check({ force: true });
   const table = page.getByRole("table", { name: en("compare.laws.table") });

@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { LINKS, becomes, en, es, openExample, openStill } from "./user.js";
+import { openPage } from "./harness.js";
+import { LINKS, becomes, en, es, openExample } from "./user.js";
 import { exportsEn } from "../../web/strings/exports.en.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -39,7 +40,7 @@ async function exported(page, format, choices = {}, say = en) {
 }
 
 test("what the follower drives is drawn for a design that drives something, and not offered for another", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const dialog = await openExports(page);
   await dialog.locator("#export-format").selectOption("svg");
   const option = dialog.locator('#export-what option[value="application"]');
@@ -51,7 +52,7 @@ test("what the follower drives is drawn for a design that drives something, and 
 });
 
 test("every kind of file comes out of the page", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const xlsx = await exported(page, "xlsx");
   assert.equal(xlsx.name, "Example-9RT.xlsx");
   assert.equal(xlsx.bytes.subarray(0, 2).toString(), "PK");
@@ -77,7 +78,7 @@ test("every kind of file comes out of the page", async (t) => {
 });
 
 test("in Spanish a table has the signs of Spanish spreadsheets", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"], locale: "es-ES" });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"], locale: "es-ES" });
   const { name, bytes } = await exported(page, "csv", { table: "motion", step: "10" }, es);
   assert.equal(name, "Example-9RT-motion.csv");
   const rows = bytes.toString().split("\r\n");
@@ -86,7 +87,7 @@ test("in Spanish a table has the signs of Spanish spreadsheets", async (t) => {
 });
 
 test("what cannot be made is told in the window, which stays", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const dialog = await openExports(page);
   await dialog.locator("#export-format").selectOption("stl");
   await dialog.locator("#export-bore").fill("80");
@@ -101,7 +102,7 @@ test("what cannot be made is told in the window, which stays", async (t) => {
 });
 
 test("nothing of it is loaded before it is asked for", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const loaded = () => page.evaluate(() => performance.getEntriesByType("resource").some(({ name }) => name.includes("export")));
   assert.equal(await loaded(), false);
   const dialog = await openExports(page);

@@ -4,7 +4,8 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { test } from "node:test";
 import { root } from "./browser.js";
-import { LINKS, banner, becomes, en, field, fragment, level, nextFragment, openStill, undo, verdict } from "./user.js";
+import { openPage } from "./harness.js";
+import { LINKS, banner, becomes, en, field, fragment, level, nextFragment, undo, verdict } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -45,7 +46,7 @@ function changed(change) {
 }
 
 test("a design file opens, and undo brings back what was there", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   await openFile(page, TEN);
   await becomes(() => fragment(page), LINKS["10EX"]);
   assert.equal(await level(page), "acceptable");
@@ -54,7 +55,7 @@ test("a design file opens, and undo brings back what was there", async (t) => {
 });
 
 test("a file that is wrong is refused with the place of what is wrong", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   const said = await verdict(page).innerText();
   /** @type {[string, RegExp][]} */
   const wrong = [
@@ -86,7 +87,7 @@ test("a file that is wrong is refused with the place of what is wrong", async (t
 });
 
 test("a saved file is the design, whole and readable", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const nine = await save(page);
   assert.equal(nine.name, "Example-9RT.lev.json");
   const saved = JSON.parse(nine.text);
@@ -110,7 +111,7 @@ test("a saved file is the design, whole and readable", async (t) => {
 });
 
 test("while the design is wrong, what is saved is the last good one", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await field(page, "base_radius").fill("-5");
   await becomes(() => level(page), "stopped");
   assert.equal(JSON.parse((await save(page)).text).cam.base_radius, 35);

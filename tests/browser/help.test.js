@@ -4,7 +4,8 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { test } from "node:test";
 import { root } from "./browser.js";
-import { LINKS, becomes, en, es, field, fragment, frames, nextFragment, openStill, violations } from "./user.js";
+import { openPage } from "./harness.js";
+import { LINKS, becomes, en, es, field, fragment, frames, nextFragment, violations } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -22,7 +23,7 @@ async function entries(page) {
 }
 
 test("every question mark opens its definition and gives the focus back", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["2RO"] });
+  const { page } = await openPage(t, { fragment: LINKS["2RO"] });
   await page.locator("#mechanism summary").click();
   const terms = await marks(page);
   for (const needed of ["base_radius", "arm", "pivot_distance", "speed", "law", "beta", "rise", "theta", "t", "s", "v", "a", "j", "pressure_angle", "rho", "opening", "layer-base", "layer-pitch"]) {
@@ -43,7 +44,7 @@ test("every question mark opens its definition and gives the focus back", async 
 });
 
 test("marks of flat faces and of a law's own numbers are answered too, in both languages", async (t) => {
-  const { page } = await openStill(t, { locale: "es-ES" });
+  const { page } = await openPage(t, { locale: "es-ES" });
   await page.getByRole("button", { name: es("header.examples"), exact: true }).click();
   await page.locator('[data-example="4PO"]').click();
   await page.locator('button[data-term="face_offset"]').waitFor();
@@ -57,7 +58,7 @@ test("marks of flat faces and of a law's own numbers are answered too, in both l
 });
 
 test("a card shows the follower at hand with the magnitude lit, and its formula in MathML", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["2RO"] });
+  const { page } = await openPage(t, { fragment: LINKS["2RO"] });
   await page.locator('button[data-term="pivot_distance"]').click();
   await card(page).waitFor();
   assert.equal(await card(page).locator("svg .lit[data-parameter='pivot_distance']").count(), 1);
@@ -70,7 +71,7 @@ test("axe finds nothing in a card, in the window behind ? and in the guided minu
   /** @type {string[]} */
   const found = [];
   for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-    const { page } = await openStill(t, { colorScheme, firstVisit: true });
+    const { page } = await openPage(t, { colorScheme, firstVisit: true });
     await page.locator(".offer").waitFor();
     found.push(...(await violations(page, `${colorScheme}, offer`)));
     await page.locator('button[data-term="pressure_angle"]').first().click();
@@ -88,7 +89,7 @@ test("axe finds nothing in a card, in the window behind ? and in the guided minu
 });
 
 test("the guided minute is offered once, goes on by keyboard, points at what is there, and leaves without a trace", async (t) => {
-  const { page } = await openStill(t, { firstVisit: true });
+  const { page } = await openPage(t, { firstVisit: true });
   await page.getByRole("button", { name: en("tour.offer") }).click();
   const texts = new Set();
   for (let step = 1; step <= 6; step++) {
@@ -114,7 +115,7 @@ test("the guided minute is offered once, goes on by keyboard, points at what is 
 });
 
 test("the cam can be used while the minute runs, on a phone too", async (t) => {
-  const { page } = await openStill(t, { firstVisit: true, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  const { page } = await openPage(t, { firstVisit: true, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   await page.getByRole("button", { name: en("tour.offer") }).click();
   for (let step = 1; step <= 5; step++) {
     const box = await card(page).boundingBox();
@@ -130,7 +131,7 @@ test("the cam can be used while the minute runs, on a phone too", async (t) => {
 const open = (page, name) => page.goto(page.url().replace(/(theory\/[^/]*|#.*)?$/, `theory/${name}.html`));
 
 test("every law and every follower has its section in both languages, with a formula", async (t) => {
-  const { page } = await openStill(t);
+  const { page } = await openPage(t);
   const { laws, followers } = await entries(page);
   assert(laws.length >= 20 && followers.length >= 6);
   for (const language of ["en", "es"]) {
@@ -149,7 +150,7 @@ test("every law and every follower has its section in both languages, with a for
 test("axe finds nothing on the pages, and every link leads somewhere", async (t) => {
   /** @type {string[]} */
   const found = [];
-  const { page } = await openStill(t, { colorScheme: "dark" });
+  const { page } = await openPage(t, { colorScheme: "dark" });
   /** @type {Map<string, Set<string>>} */
   const places = new Map();
   /** @type {string[]} */
@@ -170,7 +171,7 @@ test("axe finds nothing on the pages, and every link leads somewhere", async (t)
 });
 
 test("the pages fit a phone and follow the theme", async (t) => {
-  const { page } = await openStill(t, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
+  const { page } = await openPage(t, { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
   for (const name of ["es", "terms-es", "manual-es", "licences-es"]) {
     await open(page, name);
     const { across, paper } = await page.evaluate(() => ({
@@ -183,7 +184,7 @@ test("the pages fit a phone and follow the theme", async (t) => {
 });
 
 test("the licences of everything that is built in are reached from the window behind ?, in both languages", async (t) => {
-  const { page } = await openStill(t);
+  const { page } = await openPage(t);
   const notices = await readFile(path.join(root, "LICENSE-THIRD-PARTY.txt"), "utf8");
   const works = notices.split("\n").filter((line) => line.startsWith("* ")).map((line) => line.slice(2));
   await page.keyboard.press("?");

@@ -2,7 +2,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { drawn } from "./browser.js";
-import { LINKS, baseRadiusCure, becomes, beta, diagram, en, es, eventually, field, findings, fragment, frames, literal, mechanism, openExample, openStill, readout, setCursor, undo, verdict } from "./user.js";
+import { openPage } from "./harness.js";
+import {
+  LINKS, baseRadiusCure, becomes, beta, diagram, en, es, eventually, field, findings, fragment, frames, literal, mechanism, openExample, readout, setCursor, undo, verdict,
+} from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -84,7 +87,7 @@ for (const [locale, language, sentence] of /** @type {const} */ ([
   ["fr-FR", "en", /pressure/],
 ])) {
   test(`a browser in ${locale} gets the page in ${language}`, async (t) => {
-    const { page } = await openStill(t, { locale, fragment: LINKS.R1 });
+    const { page } = await openPage(t, { locale, fragment: LINKS.R1 });
     assert.equal(await page.locator("html").getAttribute("lang"), language);
     assert.match(await verdict(page).innerText(), sentence);
     await page.getByText({ es, en }[language]("design.follower"), { exact: true }).first().waitFor();
@@ -92,7 +95,7 @@ for (const [locale, language, sentence] of /** @type {const} */ ([
 }
 
 test("the switch changes everything at once, and is remembered", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   const english = await findings(page).first().innerText();
   await switchTo(page, "es");
   await becomes(() => page.locator("html").getAttribute("lang"), "es");
@@ -107,7 +110,7 @@ test("the switch changes everything at once, and is remembered", async (t) => {
 });
 
 test("an error is said again in the other language", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await field(page, "base_radius").fill("-5");
   await beta(page, 1).fill("12x");
   const english = await verdict(page).innerText();
@@ -119,7 +122,7 @@ test("an error is said again in the other language", async (t) => {
 });
 
 test("numbers have a decimal comma in Spanish and a point in English, on the diagrams too", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   const drawnText = await watchDrawnText(page);
   await setCursor(page, "200.4");
   assert.match((await drawnText()).join(" "), /\b0\.1\b/);
@@ -141,7 +144,7 @@ test("numbers have a decimal comma in Spanish and a point in English, on the dia
 });
 
 test("a decimal point is understood in Spanish, a comma in English", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"], locale: "es-ES" });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"], locale: "es-ES" });
   const radius = field(page, "base_radius");
   await radius.fill("36.5");
   await becomes(() => fragment(page), /\.R36\.5_/);
@@ -154,7 +157,7 @@ test("a decimal point is understood in Spanish, a comma in English", async (t) =
 });
 
 test("no text is missing, and none is left in the other language", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   await becomes(() => baseRadiusCure(page).count(), 1);
   const english = await everyText(page, en);
   await switchTo(page, "es");
@@ -170,7 +173,7 @@ test("no text is missing, and none is left in the other language", async (t) => 
 });
 
 test("what the page brings along is named in its language: the first cam and the examples", async (t) => {
-  const { page } = await openStill(t, { locale: "es-ES" });
+  const { page } = await openPage(t, { locale: "es-ES" });
   const title = page.getByRole("textbox", { name: es("header.title") });
   assert.equal(await title.inputValue(), "Ejemplo 9RT");
   await page.getByRole("button", { name: es("header.examples"), exact: true }).click();
@@ -185,7 +188,7 @@ test("what the page brings along is named in its language: the first cam and the
 });
 
 test("what the page brought along follows the language until it is changed", async (t) => {
-  const { page } = await openStill(t, { locale: "es-ES" });
+  const { page } = await openPage(t, { locale: "es-ES" });
   const title = page.getByRole("textbox").first();
   await switchTo(page, "en");
   await becomes(() => title.inputValue(), "Example 9RT");

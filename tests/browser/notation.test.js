@@ -1,7 +1,8 @@
 // Notations: the symbols of other books wherever a symbol is shown, a sign that is typed as it is shown, and a design that stays the same.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { LINKS, becomes, en, es, eventually, field, findings, fragment, nextFragment, openStill, undo, unfoldFindings, violations } from "./user.js";
+import { openPage } from "./harness.js";
+import { LINKS, becomes, en, es, eventually, field, findings, fragment, nextFragment, undo, unfoldFindings, violations } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -19,7 +20,7 @@ const label = (page, key) => page.locator(`#field-${key}-label i`).textContent()
 const letters = (page) => page.locator("#diagrams figcaption .symbol:visible").allTextContents();
 
 test("a notation changes every symbol and nothing else, and is one step to undo", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const radius = await field(page, "base_radius").inputValue();
   await choose(page, /Rothbart/);
   const link = await nextFragment(page, LINKS["9RT"]);
@@ -39,11 +40,11 @@ test("a notation changes every symbol and nothing else, and is one step to undo"
 });
 
 test("a link speaks the notation that it tells, cures included", async (t) => {
-  const { page: maker } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page: maker } = await openPage(t, { fragment: LINKS["9RT"] });
   await field(maker, "base_radius").fill("20");
   await choose(maker, /Shigley/);
   const link = await eventually(() => fragment(maker), (now) => assert.match(now, /R20_7ns/));
-  const { page } = await openStill(t, { fragment: link });
+  const { page } = await openPage(t, { fragment: link });
   await becomes(() => letters(page), ["y", "y′", "y″", "y‴"]);
   await unfoldFindings(page);
   await becomes(() => findings(page).getByRole("button", { name: /R0 ≥/ }).count(), 1);
@@ -51,7 +52,7 @@ test("a link speaks the notation that it tells, cures included", async (t) => {
 });
 
 test("Norton's eccentricity is shown and typed with his sign, and kept with ours", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   const e = field(page, "eccentricity");
   await e.fill("5");
   const ours = await nextFragment(page, LINKS["9RT"]);
@@ -70,7 +71,7 @@ test("Norton's eccentricity is shown and typed with his sign, and kept with ours
 });
 
 test("the menu of notations works by keyboard and for everyone", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await page.getByRole("button", { name: en("header.files"), exact: true }).press("Enter");
   await page.keyboard.press("End");
   await page.keyboard.press("Enter");

@@ -4,7 +4,8 @@ import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { test } from "node:test";
 import { drawn, root } from "./browser.js";
-import { LINKS, banner, becomes, en, es, eventually, field, fragment, openExample, openStill, undo } from "./user.js";
+import { openPage } from "./harness.js";
+import { LINKS, banner, becomes, en, es, eventually, field, fragment, openExample, undo } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -45,7 +46,7 @@ async function drop(page, files) {
 }
 
 test("designs that were worked on are listed, newest first, open again and can be undone", async (t) => {
-  const { page } = await openStill(t);
+  const { page } = await openPage(t);
   assert.deepEqual(await keptRadii(page), [], "an example nobody touched is no work");
   await design(page, "First", "36");
   await openExample(page, "R5");
@@ -62,7 +63,7 @@ test("designs that were worked on are listed, newest first, open again and can b
 });
 
 test("an entry can be taken from the list, and all of them, in either language, by keyboard", async (t) => {
-  const { page } = await openStill(t, { locale: "es-ES" });
+  const { page } = await openPage(t, { locale: "es-ES" });
   await page.getByLabel(es("header.title"), { exact: true }).fill("Leva una");
   await eventually(() => keptRadii(page), (radii) => assert.equal(radii.length, 1));
   const dialog = await openRecent(page, es);
@@ -77,7 +78,7 @@ test("an entry can be taken from the list, and all of them, in either language, 
 });
 
 test("the list is bounded, and what cannot be read is taken away", async (t) => {
-  const { page } = await openStill(t);
+  const { page } = await openPage(t);
   await page.evaluate((design) => {
     for (let i = 0; i < 40; i++) {
       const other = { ...design, title: `Number ${i}` };
@@ -96,7 +97,7 @@ test("the list is bounded, and what cannot be read is taken away", async (t) => 
 });
 
 test("two tabs keep a design each, and each sees the other's in its list", async (t) => {
-  const { page, url } = await openStill(t);
+  const { page, url } = await openPage(t);
   await design(page, "Here", "36");
   const other = await page.context().newPage();
   await other.goto(url);
@@ -125,7 +126,7 @@ test("two tabs keep a design each, and each sees the other's in its list", async
 });
 
 test("a design without an address of its own comes back with its tab, not with its neighbour's", async (t) => {
-  const { page, url } = await openStill(t);
+  const { page, url } = await openPage(t);
   await design(page, "Here", "36");
   const other = await page.context().newPage();
   await other.goto(`${url}#${LINKS.R1}`);
@@ -139,7 +140,7 @@ test("a design without an address of its own comes back with its tab, not with i
 });
 
 test("a dropped file opens; a wrong one is told; a text on its way is left alone", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   await page.waitForFunction(() => document.querySelector(".dropping"));
   await drop(page, [{ name: "cam.lev.json", text: TEN }]);
   await becomes(() => fragment(page), LINKS["10EX"]);

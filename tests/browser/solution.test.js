@@ -1,7 +1,8 @@
 // The worked solution: opened from the header or with an example, it follows edits, language, θ and the cursor; it is copied and printed.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { LINKS, announced, becomes, en, es, eventually, field, openStill, violations } from "./user.js";
+import { openPage } from "./harness.js";
+import { LINKS, announced, becomes, en, es, eventually, field, violations } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
 
@@ -15,7 +16,7 @@ const text = async (page) => (await solution(page).innerText()).normalize("NFKC"
 const says = (page, wanted) => eventually(() => text(page), (said) => assert.match(said, wanted));
 
 test("the solution of R1 shows its figures as mathematics, and follows the design, the language and θ", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   await open(page);
   await says(page, /v=−0\.18831m\/rad/);
   const spaces = await solution(page).locator("math").evaluateAll((all) => all.map(({ namespaceURI, localName }) => `${namespaceURI} ${localName}`));
@@ -40,7 +41,7 @@ test("the solution of R1 shows its figures as mathematics, and follows the desig
 });
 
 test("θ follows the cursor when it is asked to, and the window gives the focus back", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const { page } = await openPage(t, { fragment: LINKS["9RT"] });
   await open(page);
   await page.getByLabel(en("solution.follows")).check();
   await page.getByRole("slider").first().focus();
@@ -54,7 +55,7 @@ test("θ follows the cursor when it is asked to, and the window gives the focus 
 });
 
 test("beside it the cam, what moves it and the verdict stay in sight, and the diagrams come back with its end", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1, viewport: { width: 1366, height: 768 } });
+  const { page } = await openPage(t, { fragment: LINKS.R1, viewport: { width: 1366, height: 768 } });
   const right = (/** @type {string} */ part) => page.locator(part).evaluate((element) => element.getBoundingClientRect().right);
   await open(page);
   await says(page, /Verdict/);
@@ -69,7 +70,7 @@ test("beside it the cam, what moves it and the verdict stay in sight, and the di
 });
 
 test("on a tablet the cam stays in sight beside it, and Escape ends it from there too", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1, viewport: { width: 1024, height: 768 } });
+  const { page } = await openPage(t, { fragment: LINKS.R1, viewport: { width: 1024, height: 768 } });
   const edge = (/** @type {string} */ part, /** @type {"left" | "right"} */ side) => page.locator(part).evaluate((element, side) => element.getBoundingClientRect()[side], side);
   await open(page);
   await says(page, /Verdict/);
@@ -83,7 +84,7 @@ test("on a tablet the cam stays in sight beside it, and Escape ends it from ther
 });
 
 test("it is copied as LaTeX and as Markdown, and printed alone on its paper", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1, permissions: ["clipboard-read", "clipboard-write"] });
+  const { page } = await openPage(t, { fragment: LINKS.R1, permissions: ["clipboard-read", "clipboard-write"] });
   await open(page);
   await says(page, /Verdict/);
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
@@ -107,7 +108,7 @@ test("it is copied as LaTeX and as Markdown, and printed alone on its paper", as
 });
 
 test("a solved example opens with its solution", async (t) => {
-  const { page } = await openStill(t);
+  const { page } = await openPage(t);
   await page.getByRole("button", { name: en("header.examples") }).click();
   await page.locator('[data-solution="R6"]').click();
   await says(page, /c3=612\.67,c4=−4057\.05,c5=10696\.41/);
@@ -117,11 +118,11 @@ test("a solved example opens with its solution", async (t) => {
 test("axe finds nothing in it, light or dark, and on a phone nothing is wider than the screen", async (t) => {
   /** @type {string[]} */
   const found = [];
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   await open(page);
   await says(page, /Verdict/);
   found.push(...(await violations(page, "solution")));
-  const phone = await openStill(t, { fragment: LINKS.R1, viewport: { width: 390, height: 844 }, colorScheme: "dark", locale: "es-ES" });
+  const phone = await openPage(t, { fragment: LINKS.R1, viewport: { width: 390, height: 844 }, colorScheme: "dark", locale: "es-ES" });
   await open(phone.page, es);
   await says(phone.page, /Veredicto/);
   found.push(...(await violations(phone.page, "solution on a phone")));
