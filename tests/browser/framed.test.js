@@ -237,8 +237,14 @@ test("a finger over the mechanism scrolls the course page, and turns the cam onc
   assert.equal(await playing(), "playing", "a finger that scrolls does not stop the cam");
   assert.equal(await frame.locator("#mechanism .gesture-hint").textContent(), en("stage.hint.finger"));
 
+  // A tap on what still glides only stops it.
+  for (let before = NaN, now = await far(); now !== before; now = await far()) {
+    before = now;
+    await pause(300);
+  }
   for (const where of [page, frame]) await where.evaluate(() => scrollTo(0, 0));
   await becomes(far, 0);
+  await pause(100);
   await page.touchscreen.tap(x, y);
   await becomes(() => frame.evaluate(() => document.activeElement?.className), "stage-canvas");
   await swipe();

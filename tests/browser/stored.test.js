@@ -141,7 +141,7 @@ test("what is right in a kept view counts, whatever stands beside it", async (t)
     () => page.evaluate(() => JSON.parse(localStorage.getItem("levalab:view") ?? "{}")),
     (view) => assert.equal(view.language, "en"),
   );
-  assert.deepEqual(Object.keys(kept).sort(), ["language", "layers", "margins", "perSecond", "tab", "theme"]);
+  assert.deepEqual(Object.keys(kept).sort(), ["language", "layers", "margins", "perSecond", "projectorSpeed", "projectorValues", "tab", "theme"]);
   assert.equal(kept.layers.pitch, false);
   assert.equal(kept.layers.base, true);
   assert(!Object.hasOwn(kept.layers, "toString"), "a layer that is none");
