@@ -1,21 +1,46 @@
 /* Before the first paint: theme and language as they were left, so that nothing flashes. A classic script on purpose. Where the page is packed it also
-   asks for the words of that language, which its module would find out about later. */
+   asks for the words of that language, which its module would find out about later, and finds out whether the design in the page is the one that
+   will be shown: of another cam nothing is ever seen. */
 {
-  const view = () => {
+  /** @param {"localStorage" | "sessionStorage"} keeper @param {string} name */
+  const recall = (keeper, name) => {
     try {
-      return JSON.parse(localStorage.getItem("levalab:view") ?? "{}") ?? {};
+      return JSON.parse(window[keeper].getItem(`levalab:${name}`) ?? "null");
     } catch {
-      return {};
+      return null;
     }
   };
-  const { theme, language = navigator.languages.find((tag) => /^(en|es)\b/i.test(tag)) } = view();
+  const view = recall("localStorage", "view") ?? {};
+  const { theme, language = navigator.languages.find((tag) => /^(en|es)\b/i.test(tag)) } = view;
   const dark = theme === "dark" || (theme !== "light" && matchMedia("(prefers-color-scheme: dark)").matches);
-  document.documentElement.dataset.theme = dark ? "dark" : "light";
+  const root = document.documentElement;
+  root.dataset.theme = dark ? "dark" : "light";
   // Pages of theory have a language of their own.
   const spoken = typeof language === "string" && /^es\b/i.test(language) ? "es" : "en";
-  if (!("page" in document.documentElement.dataset)) document.documentElement.lang = spoken;
-  const { words } = document.currentScript?.dataset ?? {};
+  if (!("page" in root.dataset)) root.lang = spoken;
+  const { words, known } = document.currentScript?.dataset ?? {};
   if (words) document.head.append(Object.assign(document.createElement("link"), { rel: "modulepreload", href: `${words}.${spoken}.js` }));
+
+  /**
+   * Whether the address, what this tab or any tab kept, or the view as it was left may lead to another picture than the one in the page.
+   * @param {string[]} usual  what each of them may hold all the same
+   */
+  const another = (usual) => {
+    const fragment = location.hash.slice(1);
+    const differs = (/** @type {unknown} */ kept) => kept !== null && kept !== undefined && !usual.includes(typeof kept === "string" ? kept : JSON.stringify(kept));
+    try {
+      return (
+        (fragment === "" ? differs(recall("localStorage", "design")) : differs(fragment)) ||
+        /^\?\d+\./.test(location.search) ||
+        differs(recall("sessionStorage", "design")?.design) ||
+        differs(view.layers) || (view.tab ?? "svaj") !== "svaj" || view.perSecond === true
+      );
+    } catch {
+      // Nested too deep to be compared.
+      return true;
+    }
+  };
+  if (known) root.toggleAttribute("data-other", another(JSON.parse(known)[spoken]));
 
   /**
    * Shows a sentence of index.html about the page in a single file, which needs nothing but itself; its link opens the same design.

@@ -15,6 +15,7 @@ import * as keys from "./keys.js";
 import { firstDesign, keepLink } from "./link.js";
 import * as mechanism from "./mechanism.js";
 import { createFormat } from "./numbers.js";
+import { yieldPoster } from "./poster.js";
 import * as readouts from "./readouts.js";
 import { whenIdle } from "./rest.js";
 import { retitled, shelve } from "./shelf.js";
@@ -75,6 +76,7 @@ async function start() {
 
   /** @type {ShellContext} */
   const context = { store, lab: engine.lab, t, format, catalogue, banner, announce, room: engine.room, module: engine.module, workshop };
+  yieldPoster();
   // What is drawn on canvases comes first in each frame: their text asks for the styles of the page, which costs least while
   // nothing has been written into it.
   mechanism.mount(element("mechanism"), context);

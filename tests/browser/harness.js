@@ -20,25 +20,26 @@ after(async () => {
 /**
  * A fresh browser profile with the page in it, drawn. It closes with the test, which fails if the page misbehaved.
  * @param {import("node:test").TestContext} t
- * @param {{ url?: string, fragment?: string, ready?: boolean, firstVisit?: boolean } & ContextOptions} [options]
+ * @param {{ url?: string, fragment?: string, ready?: boolean, firstVisit?: boolean, prepare?: (page: Page) => Promise<unknown>, until?: "load" | "commit" } & ContextOptions} [options]
  *   `url` instead of the packed page's; `fragment` without #; `ready: false` does not wait for the first drawing;
- *   `firstVisit` is that of somebody to whom the guided minute has not been offered yet
+ *   `prepare` is done before the page is asked for, and `until` is what is waited for; `firstVisit` is that of somebody to whom the guided minute has not been offered yet
  * @returns {Promise<{ page: Page, url: string, complaints: string[] }>}
  *   `complaints` is what went wrong so far: a test that provokes an error takes it out again
  */
-export async function openPage(t, { url, fragment = "", ready = true, firstVisit = false, ...options } = {}) {
+export async function openPage(t, { url, fragment = "", ready = true, firstVisit = false, prepare, until = "load", ...options } = {}) {
   sharedBrowser ??= launchBrowser();
   const address = url ?? (await (sharedSite ??= startDist())).url;
   const context = await (await sharedBrowser).newContext({ viewport: { width: 1366, height: 768 }, locale: "en-GB", ...options });
   if (!firstVisit) await context.addInitScript(offered);
   const page = await context.newPage();
   const complaints = watch(page, new URL(address).origin);
+  await prepare?.(page);
   t.after(async () => {
     await context.close();
     assert.deepEqual(complaints, [], "the page misbehaved");
   });
   try {
-    await page.goto(address + (fragment && `#${fragment}`));
+    await page.goto(address + (fragment && `#${fragment}`), { waitUntil: until });
     // An uncaught error before the first drawing needs no further waiting.
     const broken = new Promise((_, reject) => page.once("pageerror", reject));
     if (ready) await Promise.race([drawn(page), broken]);

@@ -15,6 +15,7 @@ use crate::{
     html::{self, Kind, Load},
     offline::{self, Release},
     page::{self, Page},
+    poster::Poster,
     process::{self, told},
     project, setup, single,
     size::{Size, kilobytes},
@@ -68,16 +69,24 @@ fn write() -> Result<Packed> {
     let loads = html::loads(&html);
     let whole = project::target()?.join("single");
     bundle(&fresh, &whole, &loads)?;
+    let poster = Poster::draw(&loads)?;
+    add_styles(&fresh.join("style.css"), &poster.styles)?;
     copy_others(&fresh)?;
     let hash = content_hash(&fresh)?;
     let folder = dist.join(&hash);
     fs::rename(&fresh, &folder)?;
     theory::publish(&folder, &dist, &hash)?;
-    let page = Page::new(&hash, &loads);
-    fs::write(dist.join("index.html"), html::packed_as(&page.rewrite(&html), "site"))?;
+    let page = Page::new(&hash, &loads, &poster);
+    fs::write(dist.join("index.html"), html::packed_as(&poster.fill(&page.rewrite(&html))?, "site"))?;
     let page_files = names(&dist)?;
-    let single =
-        single::Parts { html: &html, loads: &loads, scripts: &whole, packed: &folder, theory: &dist.join("theory") };
+    let single = single::Parts {
+        html: &html,
+        loads: &loads,
+        poster: &poster,
+        scripts: &whole,
+        packed: &folder,
+        theory: &dist.join("theory"),
+    };
     fs::write(dist.join(single::FILE), single.page()?).context(single::FILE)?;
     write_workers(&dist, &hash, &page_files)?;
     Ok(Packed { folder, first: page.first() })
@@ -115,6 +124,12 @@ fn bundle(out: &Path, single: &Path, loads: &[Load]) -> Result<()> {
 /// The generated JavaScript of a module, for the bundler.
 fn glue(module: wasm::Module) -> serde_json::Value {
     json!({ "name": module.stem(), "file": format!("web/pkg/{}", module.glue()), "inline": module.inline })
+}
+
+fn add_styles(sheet: &Path, rules: &str) -> Result<()> {
+    let styles = fs::read_to_string(sheet).with_context(|| sheet.display().to_string())?;
+    fs::write(sheet, format!("{}{rules}\n", styles.trim_end()))?;
+    Ok(())
 }
 
 /// The module's parts, icons and the like keep the place they have under `web/`.

@@ -7,6 +7,7 @@ mod library;
 mod licences;
 mod offline;
 mod page;
+mod poster;
 mod process;
 mod project;
 mod serve;

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::{
     html::{self, Kind, Load},
+    poster::Poster,
     wasm,
 };
 
@@ -17,12 +18,13 @@ const ANY_WORDS: &str = "page";
 pub struct Page<'a> {
     folder: &'a str,
     loads: &'a [Load],
+    poster: &'a Poster,
 }
 
 impl<'a> Page<'a> {
     /// `folder` beside it holds everything else.
-    pub fn new(folder: &'a str, loads: &'a [Load]) -> Page<'a> {
-        Page { folder, loads }
+    pub fn new(folder: &'a str, loads: &'a [Load], poster: &'a Poster) -> Page<'a> {
+        Page { folder, loads, poster }
     }
 
     /// `index.html` with the addresses of the packed files.
@@ -32,13 +34,16 @@ impl<'a> Page<'a> {
             Kind::Style(_) if styled => String::new(),
             Kind::Style(_) => {
                 styled = true;
-                format!("<link rel=\"stylesheet\" href=\"{}\">", self.packed("style.css"))
+                let sheet = format!("<link rel=\"stylesheet\" href=\"{}\">", self.packed("style.css"));
+                // What takes longest is asked for first.
+                [self.hints(), sheet].join("\n    ")
             }
             // It is the first to know the language, so it asks for the words.
             Kind::Script => {
-                format!("<script src=\"{}\" data-words=\"{}\"></script>", self.script(load), self.packed(ANY_WORDS))
+                let (script, words, known) = (self.script(load), self.packed(ANY_WORDS), self.poster.known());
+                format!("<script src=\"{script}\" data-words=\"{words}\"{known}></script>")
             }
-            Kind::Module => self.module(load),
+            Kind::Module => format!("<script type=\"module\" src=\"{}\"></script>", self.script(load)),
             Kind::Hint => String::new(),
             Kind::Page => load.tag.replace("web/", ""),
             Kind::Other => load.tag.replace(&load.file, &self.other(load)),
@@ -53,25 +58,24 @@ impl<'a> Page<'a> {
             Kind::Other => Some(self.other(load)),
             Kind::Style(_) | Kind::Hint | Kind::Page => None,
         }));
-        first.extend([
-            self.packed(&format!("pkg/{}", wasm::PAGE.glue())),
-            self.packed(&format!("{ANY_WORDS}.es.js")),
-            self.module_file(),
-        ]);
+        first.extend([self.glue(), self.packed(&format!("{ANY_WORDS}.es.js")), self.module_file()]);
         first
     }
 
-    /// The script, and hints to fetch what it needs at the same time, not one after the other.
-    fn module(&self, load: &Load) -> String {
-        [
-            format!(
-                "<link rel=\"preload\" href=\"{}\" as=\"fetch\" type=\"application/wasm\" crossorigin>",
-                self.module_file()
-            ),
-            format!("<link rel=\"modulepreload\" href=\"{}\">", self.packed(&format!("pkg/{}", wasm::PAGE.glue()))),
-            format!("<script type=\"module\" src=\"{}\"></script>", self.script(load)),
-        ]
-        .join("\n    ")
+    /// Hints to fetch the module at once, not when the script asks for it. The script itself has none: its tag is found early enough, and all
+    /// that is fetched at the same time as the style sheet delays the first paint.
+    fn hints(&self) -> String {
+        format!(
+            "<link rel=\"preload\" href=\"{}\" as=\"fetch\" type=\"application/wasm\" crossorigin>\n    \
+             <link rel=\"modulepreload\" href=\"{}\">",
+            self.module_file(),
+            self.glue()
+        )
+    }
+
+    /// The JavaScript of that module.
+    fn glue(&self) -> String {
+        self.packed(&format!("pkg/{}", wasm::PAGE.glue()))
     }
 
     /// The module of the main screen.

@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 
 use crate::{
     html::{self, Kind, Load},
+    poster::Poster,
     theory, wasm,
 };
 
@@ -23,6 +24,8 @@ pub struct Parts<'a> {
     pub html: &'a str,
     /// What it loads.
     pub loads: &'a [Load],
+    /// The first picture.
+    pub poster: &'a Poster,
     /// Where the modules lie, each joined with all it imports.
     pub scripts: &'a Path,
     /// The packed folder, for everything else.
@@ -60,14 +63,14 @@ impl Parts<'_> {
                 // The second is for the pages of theory, which `web/single.js` puts in the place of the cam.
                 format!("<style>{style}</style>\n    <style id=\"pages-style\" media=\"not all\">{reading}</style>")
             }
-            Kind::Script => format!("<script>{}</script>", scripts[0]),
+            Kind::Script => format!("<script{}>{}</script>", self.poster.known(), scripts[0]),
             Kind::Other if load.tag.contains("rel=\"icon\"") => icon.clone(),
             _ => String::new(),
         });
         let modules = modules()?;
         let pages = theory::packed(self.theory)?;
         let page = page.replacen("</body>", &format!("{pages}{modules}{bodies}</body>"), 1);
-        let page = html::packed_as(&page, "file");
+        let page = html::packed_as(&self.poster.fill(&page)?, "file");
         with_policy(&page, &scripts, &[style, reading])
     }
 }
