@@ -9,7 +9,7 @@ import { forgetWorkshop } from "./workshop.js";
 /** Stations of a turn that are drawn. */
 const SAMPLES = 720;
 
-/** Restarts within `RESTART_WINDOW` milliseconds before giving up. */
+/** Restarts within `RESTART_WINDOW` milliseconds before a pause as long as that. */
 const RESTARTS = 3;
 const RESTART_WINDOW = 10_000;
 
@@ -18,7 +18,7 @@ const RESTART_WINDOW = 10_000;
 /**
  * @param {object} options
  * @param {() => Language} options.language
- * @param {(hopeless: boolean) => void} options.restarted  told after a panic, when the engine works again or never will
+ * @param {(hopeless: boolean) => void} options.restarted  told after a panic: the engine works again, or pauses before it is tried again
  */
 export async function startEngine({ language, restarted }) {
   const source = await compiled("levalab_wasm");
@@ -46,15 +46,24 @@ export async function startEngine({ language, restarted }) {
     restarting = true;
     const now = performance.now();
     panics = [...panics.filter((time) => now - time < RESTART_WINDOW), now];
-    if (panics.length > RESTARTS) return restarted(true);
+    if (panics.length > RESTARTS) return pause();
     try {
       await goOn();
     } catch (error) {
       console.error(error);
-      return restarted(true);
+      return pause();
     }
     restarting = false;
     restarted(false);
+  }
+
+  /** Says that it is hopeless for now, and tries again when the panics are past or there may be memory again. */
+  function pause() {
+    restarted(true);
+    setTimeout(() => {
+      panics = [];
+      void restart();
+    }, RESTART_WINDOW);
   }
 
   /**
@@ -117,20 +126,11 @@ export async function startEngine({ language, restarted }) {
     openLink: (fragment) => guarded(() => module.open_link(fragment, language()), unread(fragment)),
 
     /**
-     * @param {string} text
-     * @param {string} notJson  what to say when the text is not JSON at all
+     * @param {Uint8Array} bytes  of a design file
+     * @param {string} without  what to say when the calculation fails
      * @returns {Read}
      */
-    openFile(text, notJson) {
-      /** @type {unknown} */
-      let design;
-      try {
-        design = JSON.parse(text);
-      } catch {
-        return unread(notJson);
-      }
-      return guarded(() => module.read_design(design, language()), unread(""));
-    },
+    openFile: (bytes, without) => guarded(() => module.open_file(bytes, language()), unread(without)),
 
     /**
      * Whether something kept is a design.

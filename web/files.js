@@ -9,10 +9,10 @@ import { createMenu } from "./menu.js";
 import { onDemand } from "./on-demand.js";
 import { isSingleFile } from "./packed.js";
 
-/** A design file has a few thousand characters; a larger one is something else. */
-const LARGEST = 1_000_000;
+/** Bytes of a file that are looked at: one more than a design file may have, so that a larger one is seen to be. */
+const LARGEST = 2 ** 20 + 1;
 
-/** @typedef {{ openFile: (text: string, notJson: string) => Read, saveFile: (design: Design) => string, check: (design: unknown) => Read }} FileEngine */
+/** @typedef {{ openFile: (bytes: Uint8Array, without: string) => Read, saveFile: (design: Design) => string, check: (design: unknown) => Read }} FileEngine */
 
 /**
  * Opens a design file that somebody chose or dropped, or tells why not.
@@ -22,10 +22,20 @@ const LARGEST = 1_000_000;
  */
 export function opener({ store, t, banner }, { openFile }) {
   return async (file) => {
-    const text = file.size > LARGEST ? "" : await file.text().catch(() => "");
-    const attempt = () => openFile(text, t("banner.file.json"));
-    const read = attempt();
-    if (read.error) return banner.show("banner.file", () => ({ reason: sentence(attempt()) }));
+    const buffer = await file.slice(0, LARGEST).arrayBuffer().catch(() => null);
+    if (!buffer) return banner.show("banner.file", () => ({ reason: t("banner.file.unread") }));
+    const attempt = () => openFile(new Uint8Array(buffer), t("banner.panic"));
+    let { language } = store.state;
+    let read = attempt();
+    if (read.error) {
+      // Read again in another language only: what makes the calculation fail fails each time.
+      const reason = () => {
+        if (language !== store.state.language) read = attempt();
+        ({ language } = store.state);
+        return sentence(read);
+      };
+      return banner.show("banner.file", () => ({ reason: reason() }));
+    }
     banner.hide();
     store.replace(read.design, t("edit.file"));
   };

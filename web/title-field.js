@@ -11,11 +11,15 @@ let sessions = 0;
 /** Control and bidirectional characters can disguise a text; they have no place in a title. */
 const UNWANTED = /[\p{Cc}\u2028\u2029\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu;
 
+/** Blanks and characters that leave no mark: a title of these alone is none. */
+const INVISIBLE = /^[\p{White_Space}\p{Default_Ignorable_Code_Point}\u2800]*$/u;
+
 /**
  * @param {string} text
  * @param {number} longest
  */
 export function cleanTitle(text, longest) {
+  if (INVISIBLE.test(text)) return "";
   return [...text.replaceAll(UNWANTED, "")].slice(0, longest).join("");
 }
 

@@ -15,7 +15,7 @@ const TEN = await readFile(path.join(root, "examples/10EX.lev.json"), "utf8");
 /**
  * Opens a file with the page's own button.
  * @param {Page} page
- * @param {string} text
+ * @param {string | Buffer} text
  * @param {string} [name]
  */
 async function openFile(page, text, name = "cam.lev.json") {
@@ -57,7 +57,7 @@ test("a design file opens, and undo brings back what was there", async (t) => {
 test("a file that is wrong is refused with the place of what is wrong", async (t) => {
   const { page } = await openPage(t, { fragment: LINKS.R1 });
   const said = await verdict(page).innerText();
-  /** @type {[string, RegExp][]} */
+  /** @type {[string | Buffer, RegExp][]} */
   const wrong = [
     [changed((design) => (design.segments[2].beta = "fifty")), /segments\[2\]\.beta/],
     [changed((design) => (design.segments[1].beta = 41)), /segments/],
@@ -67,22 +67,37 @@ test("a file that is wrong is refused with the place of what is wrong", async (t
     [changed((design) => (design.format = "levalab/2")), /format/],
     [changed((design) => (design.segments[0].law = "guess")), /segments\[0\]\.law/],
     [NINE.replace("35", "1e999"), /cam\.base_radius/],
-    [NINE.slice(0, 100), new RegExp(en("banner.file.json").slice(0, 20))],
-    ["", new RegExp(en("banner.file.json").slice(0, 20))],
+    [NINE.slice(0, 100), /ends in the middle of the design, in line \d+, column \d+/],
+    ["", /ends in the middle of the design, in line 1, column 1/],
     ["[]", /./],
     ["null", /./],
-    ["\u0000\u0001PNG", new RegExp(en("banner.file.json").slice(0, 20))],
+    ["\u0000\u0001PNG", /not JSON from line 1, column 1 on/],
+    [NINE.replace('"base_radius": 35', '"base_radius": 35, "base_radius": 90'), /cam\.base_radius: This field is there twice/],
+    [NINE.replace("35", "35,5"), /decimal comma in line \d+, column \d+/],
+    [NINE.replace("35", '"35,5"'), /cam\.base_radius: "35,5" is a text; a number has no quotes and a decimal point/],
+    [NINE.replace("Example", "\\ud83d"), /half a character in line \d+, column \d+/],
+    [Buffer.from(NINE.replace("Example", "Dise\u00f1o"), "latin1"), /not text in UTF-8/],
+    ["[".repeat(5000), /nested deeper than in any design, in line 1, column 17/],
+    ['{"a":'.repeat(5000), /nested deeper than in any design/],
+    [`[${"[".repeat(5000)}${"]".repeat(5000)}]`, /nested deeper than in any design/],
+    [NINE + " ".repeat(2 ** 20), /more than 1,048,576 bytes/],
   ];
   for (const [text, place] of wrong) {
     await openFile(page, text);
     const told = await becomes(() => banner(page).innerText(), new RegExp(en("banner.file", { reason: "" }).trim()));
-    assert.match(told.replace(en("banner.file", { reason: "" }).trim(), ""), place, text.slice(0, 80));
+    assert.match(told.replace(en("banner.file", { reason: "" }).trim(), ""), place, text.toString().slice(0, 80));
     assert.equal(await verdict(page).innerText(), said, "the cam did not stay");
     await banner(page).getByRole("button", { name: en("banner.close"), exact: true }).click();
     await becomes(() => banner(page).innerText(), "");
   }
   assert.equal(await fragment(page), LINKS.R1);
   await openFile(page, NINE);
+  await becomes(() => fragment(page), LINKS["9RT"]);
+});
+
+test("a file with a byte-order mark opens like one without", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  await openFile(page, `\ufeff${NINE}`);
   await becomes(() => fragment(page), LINKS["9RT"]);
 });
 

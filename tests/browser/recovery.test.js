@@ -83,6 +83,11 @@ test("a calculation that fails again and again is said to, and the design stays 
   assert.match(await fragment(page), /^1\.Example_9RT\.R3\d_7/);
   await page.getByRole("button", { name: en("transport.forth") }).click();
   await frames(page);
+  // After a pause it is tried again, without loading the page.
+  await eventually(() => banner(page).innerText(), (told) => assert.match(told, new RegExp(en("banner.panic").slice(0, 30))));
+  await field(page, "base_radius").fill("41");
+  await becomes(() => fragment(page), /\.R41_7/);
+  await becomes(() => level(page), "low-speed");
   forgiveTrap(complaints);
 });
 

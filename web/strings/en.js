@@ -19,9 +19,9 @@ export const en = {
   "banner.copy": "Copy the link as it came",
   "banner.link": "{reason} It was not opened: your own design stays as it was.",
   "banner.panic": "Something in the calculation failed, which is a fault of LevaLab and not yours. It was started again and nothing is lost: undo the last change and go on.",
-  "banner.broken": "The calculation keeps failing. Your design is safe in the address bar: copy the link and load the page again.",
+  "banner.broken": "The calculation keeps failing. Your design is safe in the address bar. The page tries again in a few seconds; should it fail once more, copy the link and load the page again.",
   "banner.file": "The file was not opened. {reason}",
-  "banner.file.json": "A design file is JSON text, such as the one that this page saves, and this is not.",
+  "banner.file.unread": "The browser could not read it.",
 
   "skip.design": "Skip to the design",
   "skip.diagrams": "Skip to the diagrams",

@@ -19,9 +19,9 @@ export const es = {
   "banner.copy": "Copiar el enlace tal como llegó",
   "banner.link": "{reason} No se ha abierto: su diseño sigue como estaba.",
   "banner.panic": "Ha fallado algo en el cálculo; es un defecto de LevaLab, no suyo. Se ha vuelto a arrancar y no se ha perdido nada: deshaga el último cambio y continúe.",
-  "banner.broken": "El cálculo sigue fallando. Su diseño está a salvo en la barra de direcciones: copie el enlace y vuelva a cargar la página.",
+  "banner.broken": "El cálculo sigue fallando. Su diseño está a salvo en la barra de direcciones. La página lo intenta de nuevo dentro de unos segundos; si vuelve a fallar, copie el enlace y vuelva a cargar la página.",
   "banner.file": "No se ha abierto el archivo. {reason}",
-  "banner.file.json": "Un archivo de diseño es texto JSON, como el que guarda esta página, y este no lo es.",
+  "banner.file.unread": "El navegador no ha podido leerlo.",
 
   "skip.design": "Ir al diseño",
   "skip.diagrams": "Ir a los diagramas",

@@ -14,7 +14,17 @@ pub(crate) struct Field<'a> {
 impl Field<'_> {
     /// A number; −0 becomes 0, so that equal designs are written alike.
     pub fn number(&self) -> Result<f64, DesignError> {
-        self.value.as_f64().map(|value| value + 0.0).ok_or_else(|| self.wrong_kind(Kind::Number))
+        self.value.as_f64().map(|value| value + 0.0).ok_or_else(|| self.no_number())
+    }
+
+    /// Why this is not a number: a text with a decimal comma is named as what it is.
+    fn no_number(&self) -> DesignError {
+        let comma =
+            |text: &&str| text.contains(',') && text.replacen(',', ".", 1).parse::<f64>().is_ok_and(f64::is_finite);
+        match self.value.as_str().map(str::trim).filter(comma) {
+            Some(found) => DesignError::at(self.path.clone(), Problem::DecimalComma { found: found.to_owned() }),
+            None => self.wrong_kind(Kind::Number),
+        }
     }
 
     pub fn text(&self) -> Result<String, DesignError> {

@@ -58,7 +58,7 @@ pub use compare::{Contender, Figures, by_law, tournament};
 pub use cure::{DesignCure, Edit, Remedy, apply, cures};
 pub use data::{data_key, entry as data_entry};
 pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
-pub use error::{CamRefusal, DataRefusal, DesignError, Kind, Problem, ProgramRefusal};
+pub use error::{CamRefusal, DataRefusal, DesignError, JsonFault, Kind, Problem, ProgramRefusal};
 pub use examples::{EXAMPLES, FIRST_EXAMPLE, example};
 pub use kind::{BreadthGenerator, CamKind, unsuited};
 pub use marks::{Mark, MarkKind, marks};

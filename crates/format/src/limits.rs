@@ -8,6 +8,9 @@ pub use levalab_core::MAX_SEGMENTS;
 /// Largest design file that is read, bytes: a hundred times the largest that the limits below allow.
 pub const MAX_FILE_BYTES: usize = 1 << 20;
 
+/// How deep objects and lists of a design file nest at most: a design has six levels, and no file can exhaust the stack.
+pub const MAX_FILE_DEPTH: usize = 16;
+
 /// Longest title, characters: what fits a line of a diagram.
 pub const MAX_TITLE: usize = 64;
 
@@ -67,6 +70,19 @@ pub const SUM_ROUNDING: f64 = 1e-12;
 #[must_use]
 pub fn is_bidirectional(c: char) -> bool {
     matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// True for a character that leaves no mark: white space, and what Unicode calls default ignorable (joiners, fillers, selectors,
+/// tags), with the blank pattern of Braille. A text of these alone looks empty, and one that begins with them looks as if it began later.
+#[must_use]
+pub fn is_invisible(c: char) -> bool {
+    c.is_whitespace()
+        || c.is_control()
+        || matches!(c,
+            '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}'
+            | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{2800}' | '\u{3164}'
+            | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' | '\u{ffa0}' | '\u{fff0}'..='\u{fffb}' | '\u{1bca0}'..='\u{1bca3}'
+            | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
 }
 
 /// True for a character that a title may not hold: controls, line and paragraph separators, changes of direction.

@@ -1,8 +1,8 @@
 //! The browser edge of LevaLab: converts, calls, copies out. No mathematics and no words of its own.
 //!
 //! One call a change ([`Lab::open`]); columns are copied out as typed arrays, an instant into an array that the page keeps.
-//! The shapes that cross are those of `web/types.d.ts`. Text that is JSON stays outside: the browser has a parser of its own, and the
-//! tables of a second one would be a fifth of this module.
+//! The shapes that cross are those of `web/types.d.ts`. A design file crosses as its bytes, so that the page refuses what the command
+//! refuses; all other JSON is read by the browser.
 
 mod application;
 mod compare;
@@ -73,6 +73,21 @@ pub fn read_design(
     #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
 ) -> Result<JsValue, JsError> {
     object(&match Design::from_value(&value(design)) {
+        Ok(design) => Read::Design(Box::new(design)),
+        Err(error) => Read::Error(Failure::of(language(words), &error)),
+    })
+}
+
+/// The design of a design file, from its bytes: read as the command reads it.
+///
+/// # Errors
+/// Never: what is no design is an answer.
+#[wasm_bindgen(unchecked_return_type = "Read")]
+pub fn open_file(
+    bytes: &[u8],
+    #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
+) -> Result<JsValue, JsError> {
+    object(&match Design::from_bytes(bytes) {
         Ok(design) => Read::Design(Box::new(design)),
         Err(error) => Read::Error(Failure::of(language(words), &error)),
     })

@@ -4,7 +4,9 @@ use super::*;
 use levalab_core::{
     Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, LAWS, Level, Misfit,
 };
-use levalab_format::{CamKind, CamRefusal, DataRefusal, Kind, Measure, Path, Problem, ProgramRefusal, cures, example};
+use levalab_format::{
+    CamKind, CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Problem, ProgramRefusal, cures, example,
+};
 
 fn report(name: &str) -> (Design, Report) {
     let design = example(name).expect(name);
@@ -54,7 +56,13 @@ fn problems() -> Vec<Problem> {
     vec![
         Problem::FileTooLarge { bytes: 2_000_000, limit: 1_048_576 },
         Problem::NotText,
-        Problem::NotJson { line: 3, column: 0 },
+        Problem::TitleInvisible,
+        Problem::NotJson { line: 3, column: 7, fault: JsonFault::Syntax },
+        Problem::NotJson { line: 3, column: 7, fault: JsonFault::End },
+        Problem::NotJson { line: 3, column: 7, fault: JsonFault::DecimalComma },
+        Problem::NotJson { line: 3, column: 7, fault: JsonFault::Surrogate },
+        Problem::NotJson { line: 3, column: 7, fault: JsonFault::Depth },
+        Problem::DecimalComma { found: "1,5".to_owned() },
         Problem::NotFinite,
         Problem::WrongKind { found: Kind::Null, expected: Kind::Number },
         Problem::Missing,

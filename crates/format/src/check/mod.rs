@@ -3,7 +3,7 @@
 mod program;
 mod refused;
 
-use crate::limits::{ANGLE, MAX_TITLE, OFFSET, SIZE, SPEED, is_unfit_for_title};
+use crate::limits::{ANGLE, MAX_TITLE, OFFSET, SIZE, SPEED, is_invisible, is_unfit_for_title};
 use crate::measure::to_core;
 use crate::{CamRefusal, Design, DesignError, Measure, Path, Problem, SpeedUnit};
 use levalab_core::{Cam, Follower, Quantity};
@@ -63,6 +63,9 @@ fn check_title(title: &str) -> Result<(), DesignError> {
         Some(i) => {
             let found = title.chars().nth(i).unwrap_or_default();
             Err(DesignError::at("title", Problem::TitleCharacter { found, position: i + 1 }))
+        }
+        None if !title.is_empty() && title.chars().all(is_invisible) => {
+            Err(DesignError::at("title", Problem::TitleInvisible))
         }
         None => Ok(()),
     }

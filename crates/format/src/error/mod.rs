@@ -39,12 +39,27 @@ pub enum Kind {
     Object,
 }
 
+/// In what way a text is not JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JsonFault {
+    /// A sign that has no place there.
+    Syntax,
+    /// The text ends in the middle.
+    End,
+    /// A comma between the digits of a number.
+    DecimalComma,
+    /// One half of a surrogate pair, which is no character.
+    Surrogate,
+    /// Lists and objects in each other, deeper than those of any design.
+    Depth,
+}
+
 /// What can be wrong with a design. Angles are in degrees and lengths in the unit of the design.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Problem {
     /// The file is larger than any design.
     FileTooLarge {
-        /// Its size, bytes.
+        /// Its size, bytes; of a file that is not read to its end, what was read of it.
         bytes: usize,
         /// The most that is read.
         limit: usize,
@@ -55,8 +70,10 @@ pub enum Problem {
     NotJson {
         /// Line where it stops being so, from 1.
         line: usize,
-        /// Column, from 1.
+        /// Column, from 1, in characters.
         column: usize,
+        /// In what way.
+        fault: JsonFault,
     },
     /// A number too large to be held.
     NotFinite,
@@ -66,6 +83,11 @@ pub enum Problem {
         found: Kind,
         /// What there should be.
         expected: Kind,
+    },
+    /// A text that would be a number but for its decimal comma.
+    DecimalComma {
+        /// The text.
+        found: String,
     },
     /// A field that is needed is not there.
     Missing,
@@ -131,6 +153,8 @@ pub enum Problem {
         /// Which one it is, from 1.
         position: usize,
     },
+    /// A title of blanks and invisible characters alone.
+    TitleInvisible,
     /// Segments that make no program.
     Program(ProgramRefusal),
     /// Data of a free law that make no curve.

@@ -139,7 +139,9 @@ fn title(random: &mut Random) -> String {
     const LETTERS: &[char] =
         &['a', 'Z', '7', ' ', 'ñ', 'º', '-', '.', '_', '#', '%', '"', '\\', 'β', '日', '🎡', '\u{301}'];
     let length = if random.once_in(4) { random.below(65) } else { random.below(13) };
-    (0..length).map(|_| *random.pick(LETTERS)).collect()
+    let title: String = (0..length).map(|_| *random.pick(LETTERS)).collect();
+    // A title of blanks alone is refused.
+    if title.chars().all(crate::limits::is_invisible) { String::new() } else { title }
 }
 
 #[cfg(test)]

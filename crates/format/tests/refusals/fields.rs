@@ -117,7 +117,15 @@ fn titles_hold_what_can_be_seen() {
             *problem == Problem::TitleCharacter { found: hidden, position: 3 }
         });
     }
+    for blank in [" ", "\u{a0}\u{3000}", "\u{200b}", "\u{2060} \u{feff}", "\u{ad}", "\u{3164}", "\u{2800}", "\u{e0041}"]
+    {
+        check("/title", json!(blank), "title", |problem| *problem == Problem::TitleInvisible);
+    }
     let mut design = example("9RT").expect("9RT");
+    for visible in ["", " x ", "a\u{200d}b", "👩\u{200d}🔧"] {
+        design.title = visible.to_owned();
+        assert!(design.cam().is_ok(), "{visible:?}");
+    }
     design.title = "ñ".repeat(64);
     assert!(design.cam().is_ok(), "characters are counted, not bytes");
 }
@@ -126,6 +134,15 @@ fn titles_hold_what_can_be_seen() {
 fn what_is_no_json_text_is_refused_before_anything_else() {
     let problem = |bytes: &[u8]| Design::from_bytes(bytes).expect_err("refused").problem;
     assert_eq!(problem(&[0xff, 0xfe]), Problem::NotText);
+    let json = example("9RT").expect("9RT").to_json();
+    let title = json.find("Example").expect("a title");
+    // In Latin-1 an ñ is this one byte.
+    let latin1: Vec<u8> = json.bytes().enumerate().map(|(k, byte)| if k == title { 0xf1 } else { byte }).collect();
+    assert_eq!(problem(&latin1), Problem::NotText);
+    assert_eq!(Design::from_bytes(&[b"\xef\xbb\xbf", json.as_bytes()].concat()), Ok(example("9RT").expect("9RT")));
+    let comma = Design::from_json(&json.replace("35", "\"35,5\"")).expect_err("a decimal comma");
+    assert_eq!(comma.path.to_string(), "cam.base_radius");
+    assert_eq!(comma.problem, Problem::DecimalComma { found: "35,5".to_owned() });
     assert!(matches!(problem(b"{"), Problem::NotJson { line: 1, .. }));
     assert!(matches!(problem(&vec![b' '; MAX_FILE_BYTES + 1]), Problem::FileTooLarge { .. }));
     let twice = example("9RT").expect("9RT").to_json().replace("\"beta\": 50,", "\"beta\": 50, \"beta\": 50,");

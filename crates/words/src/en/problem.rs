@@ -3,24 +3,21 @@
 use super::{EN, data};
 use crate::voice::{measured, row_of};
 use levalab_core::Misfit;
-use levalab_format::{CamRefusal, Kind, Measure, Problem, ProgramRefusal, quoted};
+use levalab_format::{CamRefusal, JsonFault, Kind, Measure, Problem, ProgramRefusal, quoted};
 
 pub(super) fn problem(problem: &Problem) -> String {
     match problem {
-        Problem::FileTooLarge { bytes, limit } => {
-            format!(
-                "The file has {} bytes; no design has more than {}.",
-                EN.exact(*bytes as f64),
-                EN.exact(*limit as f64)
-            )
+        Problem::FileTooLarge { limit, .. } => {
+            format!("The file has more than {} bytes, and no design has.", EN.exact(*limit as f64))
         }
         Problem::NotText => "The file is not text in UTF-8.".to_owned(),
-        Problem::NotJson { line, column } => {
-            format!("The text is not JSON from line {line}, column {} on.", (*column).max(1))
-        }
+        Problem::NotJson { line, column, fault } => not_json(*line, *column, *fault),
         Problem::NotFinite => "The number is too large to be held.".to_owned(),
         Problem::WrongKind { found, expected } => {
             format!("There should be {} here, and there is {}.", kind(*expected), kind(*found))
+        }
+        Problem::DecimalComma { found } => {
+            format!("{} is a text; a number has no quotes and a decimal point, as in 1.5.", quoted(found))
         }
         Problem::Missing => "This field is missing.".to_owned(),
         Problem::UnknownField { expected } => {
@@ -48,12 +45,30 @@ pub(super) fn problem(problem: &Problem) -> String {
         Problem::TitleCharacter { found, position } => {
             format!("Character {position} of the title (U+{:04X}) cannot be seen.", u32::from(*found))
         }
+        Problem::TitleInvisible => "Nothing of the title can be seen: leave it empty, or give it a letter.".to_owned(),
         Problem::OneOf { expected } => format!("Only one of {} can be given.", row_of(expected, "and")),
         Problem::Program(refusal) => program(*refusal),
         Problem::Data(refusal) => data::refusal(refusal),
         Problem::Join(problem) => crate::join::problem(EN, *problem),
         Problem::Misfit(problem) => misfit(*problem),
         Problem::Cam(refusal) => cam(*refusal),
+    }
+}
+
+/// Text that is not JSON.
+fn not_json(line: usize, column: usize, fault: JsonFault) -> String {
+    match fault {
+        JsonFault::Syntax => format!("The text is not JSON from line {line}, column {column} on."),
+        JsonFault::End => format!("The text ends in the middle of the design, in line {line}, column {column}."),
+        JsonFault::DecimalComma => {
+            format!("There is a decimal comma in line {line}, column {column}; JSON has a decimal point, as in 1.5.")
+        }
+        JsonFault::Surrogate => {
+            format!("There is half a character in line {line}, column {column}: one half of a surrogate pair.")
+        }
+        JsonFault::Depth => {
+            format!("Lists and objects are nested deeper than in any design, in line {line}, column {column}.")
+        }
     }
 }
 

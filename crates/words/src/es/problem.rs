@@ -3,24 +3,21 @@
 use super::{ES, data};
 use crate::voice::{measured, row_of};
 use levalab_core::Misfit;
-use levalab_format::{CamRefusal, Kind, Measure, Problem, ProgramRefusal, quoted};
+use levalab_format::{CamRefusal, JsonFault, Kind, Measure, Problem, ProgramRefusal, quoted};
 
 pub(super) fn problem(problem: &Problem) -> String {
     match problem {
-        Problem::FileTooLarge { bytes, limit } => {
-            format!(
-                "El archivo tiene {} bytes; ningún diseño pasa de {}.",
-                ES.exact(*bytes as f64),
-                ES.exact(*limit as f64)
-            )
+        Problem::FileTooLarge { limit, .. } => {
+            format!("El archivo tiene más de {} bytes, y ningún diseño los tiene.", ES.exact(*limit as f64))
         }
         Problem::NotText => "El archivo no es texto en UTF-8.".to_owned(),
-        Problem::NotJson { line, column } => {
-            format!("El texto deja de ser JSON en la línea {line}, columna {}.", (*column).max(1))
-        }
+        Problem::NotJson { line, column, fault } => not_json(*line, *column, *fault),
         Problem::NotFinite => "El número es demasiado grande.".to_owned(),
         Problem::WrongKind { found, expected } => {
             format!("Aquí tiene que haber {}, y hay {}.", kind(*expected), kind(*found))
+        }
+        Problem::DecimalComma { found } => {
+            format!("{} es un texto; un número va sin comillas y con punto decimal, como 1.5.", quoted(found))
         }
         Problem::Missing => "Falta este campo.".to_owned(),
         Problem::UnknownField { expected } => {
@@ -48,12 +45,32 @@ pub(super) fn problem(problem: &Problem) -> String {
         Problem::TitleCharacter { found, position } => {
             format!("El carácter {position} del título (U+{:04X}) no se puede ver.", u32::from(*found))
         }
+        Problem::TitleInvisible => "Del título no se ve nada: déjelo vacío o póngale alguna letra.".to_owned(),
         Problem::OneOf { expected } => format!("Solo se puede dar uno de estos campos: {}.", row_of(expected, "y")),
         Problem::Program(refusal) => program(*refusal),
         Problem::Data(refusal) => data::refusal(refusal),
         Problem::Join(problem) => crate::join::problem(ES, *problem),
         Problem::Misfit(problem) => misfit(*problem),
         Problem::Cam(refusal) => cam(*refusal),
+    }
+}
+
+/// Text that is not JSON.
+fn not_json(line: usize, column: usize, fault: JsonFault) -> String {
+    match fault {
+        JsonFault::Syntax => format!("El texto deja de ser JSON en la línea {line}, columna {column}."),
+        JsonFault::End => format!("El texto acaba a mitad del diseño, en la línea {line}, columna {column}."),
+        JsonFault::DecimalComma => {
+            format!(
+                "Hay una coma decimal en la línea {line}, columna {column}; JSON usa el punto decimal, como en 1.5."
+            )
+        }
+        JsonFault::Surrogate => {
+            format!("Hay medio carácter en la línea {line}, columna {column}: la mitad de un par sustituto.")
+        }
+        JsonFault::Depth => format!(
+            "Hay más niveles de listas y objetos que en cualquier diseño, en la línea {line}, columna {column}."
+        ),
     }
 }
 
