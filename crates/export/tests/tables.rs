@@ -119,10 +119,13 @@ fn an_application_has_a_sheet_with_its_targets_and_its_rows() {
         with_subject(&design, Language::Es, |subject| csv(subject, table, Step::OF_TABLES, Separator::Semicolon))
     };
     assert!(
-        of(Table::Everything).lines().next().is_some_and(|heads| heads.ends_with("Fuerza F (lbf);Presión p (psi)"))
+        of(Table::Everything)
+            .lines()
+            .next()
+            .is_some_and(|heads| heads.ends_with("\"Fuerza F (lbf)\";\"Presión p (psi)\""))
     );
     assert!(!of(Table::Motion).contains("Fuerza"));
-    assert!(of(Table::Application).starts_with("\u{feff}Fuerza de un pistón sobre fluido encerrado\r\n"));
+    assert!(of(Table::Application).starts_with("\u{feff}\"Fuerza de un pistón sobre fluido encerrado\"\r\n"));
 }
 
 #[test]
@@ -176,12 +179,47 @@ fn csv_opens_right_where_its_language_is_spoken() {
 #[test]
 fn a_title_that_is_a_formula_is_text_in_csv() {
     let mut design = example("9RT").expect("9RT");
-    for (title, cell) in [("=HYPERLINK(1)", "'=HYPERLINK(1)"), ("@a", "'@a"), ("a;b \"c\"", "\"a;b \"\"c\"\"\"")] {
+    for (title, cell) in [
+        ("=HYPERLINK(1)", "\"'=HYPERLINK(1)\""),
+        ("@a", "\"'@a\""),
+        ("a;b \"c\"", "\"a;b \"\"c\"\"\""),
+        ("a;=HYPERLINK(\"http://b\")", "\"a;'=HYPERLINK(\"\"http://b\"\")\""),
+    ] {
         design.title = title.to_owned();
         let text = with_subject(&design, Language::Es, |subject| {
             csv(subject, Table::Design, Step::OF_TABLES, Separator::Semicolon)
         });
-        assert!(text.contains(&format!("Título;{cell};\r\n")), "{text}");
+        assert!(text.contains(&format!("\"Título\";{cell};\"\"\r\n")), "{text}");
+    }
+}
+
+#[test]
+fn every_text_in_csv_is_in_quotes_and_no_number_is() {
+    for (name, _) in EXAMPLES {
+        let design = example(name).expect(name);
+        for (table, separator) in
+            Table::ALL.into_iter().flat_map(|table| [(table, Separator::Comma), (table, Separator::Semicolon)])
+        {
+            let text = with_subject(&design, Language::En, |subject| csv(subject, table, Step::OF_TABLES, separator));
+            let (delimiter, decimal) = if separator == Separator::Comma { (',', '.') } else { (';', ',') };
+            let mut quoted = false;
+            let mut bare = String::new();
+            for c in text.trim_start_matches('\u{feff}').chars() {
+                if c == '"' {
+                    quoted = !quoted;
+                } else if !quoted {
+                    bare.push(c);
+                }
+            }
+            let cells = bare.lines().flat_map(|line| line.split(delimiter));
+            for cell in cells.filter(|cell| !cell.is_empty()) {
+                assert!(
+                    cell.replace(decimal, ".").parse::<f64>().is_ok_and(f64::is_finite),
+                    "{name} {}: {cell}",
+                    table.name()
+                );
+            }
+        }
     }
 }
 
