@@ -288,8 +288,31 @@ fn plain(c: char) -> String {
         '\\' => "\\textbackslash{}".to_owned(),
         '~' => "\\textasciitilde{}".to_owned(),
         '^' => "\\textasciicircum{}".to_owned(),
-        other => other.to_string(),
+        other if is_settable(other) => other.to_string(),
+        other => format!("\\texttt{{U+{:04X}}}", u32::from(other)),
     }
+}
+
+/// The characters of running text that LaTeX's usual fonts lack, each once: [`latex_text`] writes their numbers in Unicode instead.
+#[must_use]
+pub fn latex_lacks(text: &str) -> Vec<char> {
+    let mut lacking = Vec::new();
+    for c in text.chars() {
+        let number = format!("\\texttt{{U+{:04X}}}", u32::from(c));
+        if latex_text(&c.to_string()) == number && !lacking.contains(&c) {
+            lacking.push(c);
+        }
+    }
+    lacking
+}
+
+/// True for a letter or sign that LaTeX sets in running text with the encodings T1 and UTF-8 and the package textcomp: Latin letters of
+/// Europe (the table t1enc.dfu) and the signs of usual texts (ts1enc.dfu).
+fn is_settable(c: char) -> bool {
+    matches!(c,
+        ' '..='~' | '\u{a1}'..='\u{ff}' | 'Ă'..='ć' | 'Č'..='đ' | 'Ę'..='ě' | 'Ğ' | 'ğ' | 'İ' | 'ı' | 'Ĺ' | 'ĺ' | 'Ľ' | 'ľ' | 'Ł'..='ń'
+        | 'Ň' | 'ň' | 'Ŋ' | 'ŋ' | 'Ő'..='ŕ' | 'Ř'..='ś' | 'Ş'..='ť' | 'Ů'..='ű' | 'Ÿ'..='ž' | '–' | '—' | '‘' | '’' | '‚' | '“' | '”' | '„'
+        | '†' | '‡' | '•' | '…' | '‰' | '‹' | '›' | '€' | '№' | '™')
 }
 
 #[cfg(test)]
@@ -328,6 +351,13 @@ mod tests {
         ] {
             assert_eq!(latex_text(text), expected);
         }
+    }
+
+    #[test]
+    fn letters_that_no_font_of_latex_has_are_numbers() {
+        assert_eq!(latex_text("日 ñ 🎡"), "\\texttt{U+65E5} ñ \\texttt{U+1F3A1}");
+        assert_eq!(latex_lacks("日 ñ φ² 日🎡 – ż \u{301}"), ['日', '🎡', '\u{301}']);
+        assert_eq!(latex_lacks("Leva de ±3 µm, «½» & 50 % → ∞"), []);
     }
 
     #[test]

@@ -12,7 +12,7 @@ mod markup;
 mod mathml;
 mod parse;
 
-pub use latex::{latex, latex_text};
+pub use latex::{latex, latex_lacks, latex_text};
 pub use markup::{Element, Node, escape};
 pub use mathml::{block, inline, math};
 pub use parse::{Misprint, parse};

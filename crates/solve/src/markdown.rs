@@ -44,7 +44,7 @@ fn written(line: &Line, language: Language) -> String {
 fn escaped(text: &str) -> String {
     let mut safe = String::new();
     for c in text.chars() {
-        if "\\`*_[]<>#$|~".contains(c) {
+        if "\\`*_[]<>#$|~&".contains(c) {
             safe.push('\\');
         }
         safe.push(c);
@@ -60,9 +60,12 @@ mod tests {
     #[test]
     fn marks_in_a_title_are_text() {
         let document = Document {
-            title: "a*b_c | <i>".into(),
+            title: "a*b_c | <i> &amp; &#65;".into(),
             blocks: vec![Block::Paragraph(line("With $x = 0.5$ it is *so*."))],
         };
-        assert_eq!(markdown(&document, Language::Es), "# a\\*b\\_c \\| \\<i\\>\n\nWith $x = 0{,}5$ it is \\*so\\*.\n");
+        assert_eq!(
+            markdown(&document, Language::Es),
+            "# a\\*b\\_c \\| \\<i\\> \\&amp; \\&\\#65;\n\nWith $x = 0{,}5$ it is \\*so\\*.\n"
+        );
     }
 }
