@@ -4,7 +4,7 @@ mod support;
 
 use levalab_core::{
     Analysis, Cam, Cure, Finding, FindingKind, Follower, Law, Program, Rotation, Segment, balanced_eccentricity,
-    prescribe, smallest_base_radius,
+    believable_sizes, prescribe, smallest_base_radius,
 };
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
@@ -53,12 +53,23 @@ fn with_eccentricity(cam: &Cam, value: f64) -> Cam {
 fn judge(cam: &Cam, before: &Analysis, finding: &Finding, cure: &Cure) -> Result<(), TestCaseError> {
     let told = format!("{:?} cured by {cure:?}", finding.kind);
     match cure {
+        Cure::NoSize { .. } => {}
+        Cure::Length { key, value } => {
+            let index = cam.follower.kind.index_of(key).expect("a parameter of the follower");
+            let moved = cam.with_follower(cam.follower.with_value(index, *value).expect("a cure is a follower"));
+            let left = analysis(&moved).findings.into_iter().find(blames_geometry);
+            prop_assert!(left.is_none(), "{told} leaves {left:?}");
+        }
         Cure::BaseRadius(radius) => {
             let after = analysis(&cam.with_base_radius(*radius).expect("a cure is a cam"));
             let left = after.findings.iter().find(|finding| blames_geometry(finding));
             prop_assert!(left.is_none(), "{told} leaves {left:?}");
             // A dwelling cam is limited by nothing, and its smallest is next to nothing.
             prop_assume!(*radius > VANISHED * cam.follower.base_radius);
+            let (smallest, largest) = believable_sizes(cam);
+            prop_assert!((smallest..=largest).contains(radius), "{told}, which is not believable");
+            // The smallest size that is believable may not be the smallest that passes.
+            prop_assume!(*radius > smallest);
             let smaller = cam.with_base_radius(0.99 * radius);
             let passes = smaller.is_ok_and(|cam| !analysis(&cam).findings.iter().any(blames_geometry));
             prop_assert!(!passes, "{told}, but a hundredth less would do");

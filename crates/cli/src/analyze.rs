@@ -59,6 +59,9 @@ struct Found {
     told: ToldFinding,
     cure: Option<ToldCure>,
     cures: Vec<ToldCure>,
+    /// That no size puts it right, and what does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    advice: Option<String>,
 }
 
 /// An object whose fields keep their order.
@@ -148,7 +151,10 @@ fn found(design: &Design, finding: &DesignFinding, cures: Vec<DesignCure>, langu
         let message = levalab_words::cure(language, design, finding, &cure.remedy);
         ToldCure::new(cure, message)
     };
+    let (cures, advice): (Vec<DesignCure>, Vec<DesignCure>) =
+        cures.into_iter().partition(|cure| !cure.edits.is_empty());
+    let advice = advice.first().map(|cure| levalab_words::cure(language, design, finding, &cure.remedy));
     let cures: Vec<ToldCure> = cures.into_iter().map(told).collect();
     let told = ToldFinding::new(finding, levalab_words::finding(language, design, finding));
-    Found { told, cure: cures.first().cloned(), cures }
+    Found { told, cure: cures.first().cloned(), cures, advice }
 }

@@ -46,6 +46,7 @@ mod join;
 pub mod law;
 mod parameter;
 mod program;
+mod replay;
 mod samples;
 mod series;
 mod sizing;
@@ -55,8 +56,8 @@ mod svaj;
 pub use analysis::{Analysis, Column, Summary};
 pub use breadth::{Generator, MAX_SIDES, sharpest_base_radius};
 pub use cam::{Cam, Closure};
-pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, nearest_tie, working_ties};
-pub use cure::{Cure, prescribe};
+pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, nearest_tie, working_ties, working_ties_in_parts};
+pub use cure::{Cure, Instead, believable_sizes, prescribe, prescribe_in_parts};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use cycle::Cycle;
 pub use error::{CamError, GeometryError, GeometryProblem, Misfit, ProgramError, ProgramProblem};
@@ -75,6 +76,7 @@ pub use join::{Choice, Demand, JoinError, JoinProblem, Joining, Reason, Taste, T
 pub use law::{LAWS, Law};
 pub use parameter::{Parameter, Quantity};
 pub use program::{CLOSING_TOLERANCE, Doubt, Joint, MAX_SEGMENTS, MIN_BETA, Program, Segment, TURN_TOLERANCE};
+pub use replay::Replay;
 pub use series::Series;
 pub use sizing::{
     SizeLimit, balanced_eccentricity, geometry_passes, resized, shortest_travel, smallest_base_radius, smallest_for,

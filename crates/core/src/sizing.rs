@@ -2,7 +2,7 @@
 
 use crate::extreme::{extremes, root};
 use crate::samples::{LEAST_STEPS, Quantity, Samples};
-use crate::{Analysis, Body, Cam, Closure, Cycle, Drive, Program, Segment};
+use crate::{Analysis, Body, Cam, Closure, Cycle, Drive, Program, Replay, Segment};
 
 /// Steps of the first, coarse look at a candidate cam.
 const COARSE_STEPS: usize = 120;
@@ -34,14 +34,15 @@ const INSIDE: f64 = 1e-12;
 /// A jump of the motion is not cured by any base circle and is not looked at.
 #[must_use]
 pub fn smallest_base_radius(cam: &Cam) -> Option<f64> {
-    (cam.follower.drive == Drive::Turns && cam.follower.reversed.is_none()).then(|| smallest_size(cam)).flatten()
+    let sized = cam.follower.drive == Drive::Turns && cam.follower.reversed.is_none();
+    sized.then(|| Replay::whole(|replay| smallest_size(cam, replay))).flatten()
 }
 
 /// The shortest travel with which every geometric limit is kept, all β's in proportion, as [`smallest_base_radius`] is found.
 /// None for a cam that turns.
 #[must_use]
 pub fn shortest_travel(cam: &Cam) -> Option<f64> {
-    (cam.follower.drive == Drive::Travels).then(|| smallest_size(cam)).flatten()
+    (cam.follower.drive == Drive::Travels).then(|| Replay::whole(|replay| smallest_size(cam, replay))).flatten()
 }
 
 /// The same cam with another base radius, or with another travel and all β's in proportion. None when the follower cannot rest on that
@@ -88,10 +89,48 @@ pub fn smallest_for(cam: &Cam, limit: SizeLimit) -> Option<f64> {
     boundary(cam, shortfall).filter(|&size| size > VANISHED * cam.size())
 }
 
-fn smallest_size(cam: &Cam) -> Option<f64> {
-    let solved = boundary(cam, |size, steps| shortfall(cam, size, steps))?;
-    geometry_passes(&resized(cam, solved)?).then_some(solved)
+/// The smallest base radius, or the shortest travel, with which every geometric limit is kept.
+pub(crate) fn smallest_size(cam: &Cam, replay: &Replay) -> Option<f64> {
+    let solved = boundary(cam, |size, steps| replay.value(|| shortfall(cam, size, steps)))?;
+    let sized = resized(cam, solved)?;
+    replay.holds(|| geometry_passes(&sized)).then_some(solved)
 }
+
+/// Ratio of one value of a follower's length to the next in the search for one that passes.
+const FINE_STRIDE: f64 = 1.05;
+
+/// The value of one length of a follower (its arm, the distance of its pivot) nearest to the present one with which every geometric
+/// limit is kept, within the given range. `None` when the present one passes or no value in the range does.
+pub(crate) fn nearest_length(cam: &Cam, index: usize, (low, high): (f64, f64), replay: &Replay) -> Option<f64> {
+    let now = cam.follower.values[index];
+    let with = |value: f64| Some(cam.with_follower(cam.follower.with_value(index, value).ok()?));
+    let shortfall =
+        |value: f64, steps: usize| replay.value(|| with(value).map_or(f64::INFINITY, |cam| shortfall_of(&cam, steps)));
+    let strides = (high / low).ln() / FINE_STRIDE.ln();
+    let tried = (1..=strides.max(0.0) as i32).flat_map(|k| [now * FINE_STRIDE.powi(k), now * FINE_STRIDE.powi(-k)]);
+    let inside = |value: &f64| (low..=high).contains(value);
+    let first = tried.filter(inside).find(|&value| {
+        !replay.is_short() && shortfall(value, COARSE_STEPS) <= 0.0 && shortfall(value, LEAST_STEPS) <= 0.0
+    })?;
+    let towards_now = if first > now { first / FINE_STRIDE } else { first * FINE_STRIDE };
+    let exact = |value: f64| shortfall(value, LEAST_STEPS);
+    let (mut fails, mut passes) = (towards_now, first);
+    let shortfall_there = exact(fails);
+    if shortfall_there.is_finite() && shortfall_there > 0.0 {
+        passes = root(fails, passes, exact);
+        passes *= if first > now { 1.0 + INSIDE } else { 1.0 - INSIDE };
+    } else {
+        while (passes - fails).abs() > LENGTH_TOLERANCE * now && !replay.is_short() {
+            let middle = 0.5 * (fails + passes);
+            if exact(middle) <= 0.0 { passes = middle } else { fails = middle }
+        }
+    }
+    let moved = with(passes)?;
+    (inside(&passes) && replay.holds(|| geometry_passes(&moved))).then_some(passes)
+}
+
+/// A length of a follower is halved down to this part of it where its boundary is no root.
+const LENGTH_TOLERANCE: f64 = 1e-6;
 
 /// The least size for which a shortfall, looked at in so many steps, is none.
 fn boundary(cam: &Cam, shortfall: impl Fn(f64, usize) -> f64) -> Option<f64> {

@@ -55,7 +55,7 @@ pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy
 pub use auto::{Joined, joined, joined_from_bytes};
 pub use catalogue::Catalogue;
 pub use compare::{Contender, Figures, by_law, tournament};
-pub use cure::{DesignCure, Edit, Remedy, apply, cures};
+pub use cure::{CureJob, DesignCure, Edit, Price, Remedy, apply, cures};
 pub use data::{data_key, entry as data_entry};
 pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
 pub use error::{CamRefusal, DataRefusal, DesignError, JsonFault, Kind, Problem, ProgramRefusal};

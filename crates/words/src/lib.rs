@@ -92,6 +92,11 @@ impl Language {
         numbers::fixed(degrees, 1, self.decimal_sign()) + "°"
     }
 
+    /// A ratio with two decimals at most: `1.19`.
+    fn ratio(self, value: f64) -> String {
+        numbers::fixed(value, 2, self.decimal_sign())
+    }
+
     /// An angle in degrees with four significant digits at most: `86.25°`.
     fn angle_exact(self, degrees: f64) -> String {
         self.number(degrees) + "°"

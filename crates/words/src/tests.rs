@@ -2,10 +2,10 @@
 
 use super::*;
 use levalab_core::{
-    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, LAWS, Level, Misfit,
+    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, Instead, LAWS, Level, Misfit,
 };
 use levalab_format::{
-    CamKind, CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Problem, ProgramRefusal, cures, example,
+    CamKind, CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Price, Problem, ProgramRefusal, cures, example,
 };
 
 fn report(name: &str) -> (Design, Report) {
@@ -186,7 +186,24 @@ fn sentences_are_one_line_each() {
                 check(language, &cure(language, design, &found, &eased));
                 for remaining_jump in [None, Some(Column::J), Some(Column::A)] {
                     let changes = vec![(0, LAWS[7]), (2, LAWS[7]), (3, LAWS[8])];
-                    check(language, &cure(language, design, &found, &Remedy::Laws { changes, remaining_jump }));
+                    let price = Price {
+                        pressure_angle: Some((36.0, 31.8)),
+                        acceleration: Some(1.19),
+                        lift: Some((13.4, 13.3)),
+                    };
+                    let laws = Remedy::Laws { changes, remaining_jump, price };
+                    let told = cure(language, design, &found, &laws);
+                    check(language, &told);
+                    let words = if language == Language::En { ", at the cost of " } else { ", a costa de " };
+                    assert!(told.contains(words), "{told}");
+                }
+                for key in ["arm", "pivot_distance"] {
+                    check(language, &cure(language, design, &found, &Remedy::Length { key, value: 81.5 }));
+                }
+                for instead in [Instead::GentlerSegment, Instead::SmallerFaceAngle, Instead::SmoothMotion] {
+                    for needed in [None, Some(1793.0)] {
+                        check(language, &cure(language, design, &found, &Remedy::NoSize { needed, instead }));
+                    }
                 }
             }
         }

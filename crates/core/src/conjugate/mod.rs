@@ -3,7 +3,7 @@
 mod across;
 mod search;
 
-pub use search::{nearest_tie, working_ties};
+pub use search::{nearest_tie, working_ties, working_ties_in_parts};
 
 use crate::follower::positive;
 use crate::{Body, Cam, Closure, Drive, Element, Follower, GeometryError, GeometryProblem};

@@ -2,9 +2,9 @@
 
 use super::across::Across;
 use super::{Tie, conjugate};
-use crate::Cam;
 use crate::samples::LEAST_STEPS;
 use crate::sizing::{geometry_passes, shortfall_of};
+use crate::{Cam, Replay};
 use std::ops::Range;
 
 /// Samples of the first, coarse look at a candidate.
@@ -35,8 +35,14 @@ const INSIDE: f64 = 1e-9;
 /// When the ties that pass are not all side by side, the longest run of them is given.
 #[must_use]
 pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f64)> {
+    Replay::whole(|replay| working_ties_in_parts(cam, kind, radius, replay))
+}
+
+/// The same as [`working_ties`], as a search that runs in parts.
+#[must_use]
+pub fn working_ties_in_parts(cam: &Cam, kind: Tie, radius: Option<f64>, replay: &Replay) -> Option<(f64, f64)> {
     let (low, high) = Across::of(cam, radius).bounds(kind)?;
-    let search = Search { cam, kind, radius };
+    let search = Search { cam, kind, radius, replay };
     if high.is_infinite() { search.least_distance(low).map(|least| (least, high)) } else { search.range(low, high) }
 }
 
@@ -46,8 +52,8 @@ pub fn working_ties(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<(f64, f
 pub fn nearest_tie(cam: &Cam, kind: Tie, radius: Option<f64>) -> Option<Tie> {
     let (low, high) = Across::of(cam, radius).bounds(kind)?;
     let high = if high.is_finite() { high } else { low + NEAR * cam.size() };
-    let search = Search { cam, kind, radius };
-    let (best, excess) = search.least_excess(&evenly(low, high))?;
+    let best = |replay: &Replay| Search { cam, kind, radius, replay }.least_excess(&evenly(low, high));
+    let (best, excess) = Replay::whole(best)?;
     excess.is_finite().then(|| kind.with(best))
 }
 
@@ -56,6 +62,7 @@ struct Search<'a> {
     cam: &'a Cam,
     kind: Tie,
     radius: Option<f64>,
+    replay: &'a Replay,
 }
 
 impl Search<'_> {
@@ -64,12 +71,12 @@ impl Search<'_> {
     }
 
     fn passes(&self, value: f64) -> bool {
-        self.second(value).is_some_and(|second| geometry_passes(&second))
+        self.replay.holds(|| self.second(value).is_some_and(|second| geometry_passes(&second)))
     }
 
     /// How far the second cam is beyond its limits, looked at in so many steps.
     fn excess(&self, value: f64, steps: usize) -> f64 {
-        self.second(value).map_or(f64::INFINITY, |second| shortfall_of(&second, steps))
+        self.replay.value(|| self.second(value).map_or(f64::INFINITY, |second| shortfall_of(&second, steps)))
     }
 
     /// The last value that passes on the way from one that does to one that does not.

@@ -139,3 +139,31 @@ fn edge(segment: &Segment, end: bool) -> Option<Svaj> {
     let unit = if end { pieces.last()?.at(1.0) } else { pieces.first()?.at(0.0) };
     Some((unit * rise).stretched(beta))
 }
+
+/// How a segment of a fixed law joins others: the limits at its ends, and the lowest order that jumps within it.
+pub(crate) struct Ends {
+    /// Limits at its start and at its end.
+    pub limits: [Svaj; 2],
+    /// The lowest order that jumps between its pieces.
+    pub inner_jump: Option<u8>,
+}
+
+/// Orders of a derivative that differ by less than this part of the larger between two pieces of a law are continuous.
+const PIECE_TOLERANCE: f64 = 1e-9;
+
+/// The ends of a segment of a fixed law; `None` for a law that depends on its neighbours or on data.
+pub(crate) fn ends(segment: &Segment) -> Option<Ends> {
+    if !matches!(segment.law.shape, Shape::Rest | Shape::Unit(_)) {
+        return None;
+    }
+    let Segment { parameters, beta, rise, .. } = *segment;
+    let pieces = segment.law.unit(Arguments { parameters, falling: rise < 0.0, beta }).ok()?;
+    let limits = [pieces.first()?.at(0.0), pieces.last()?.at(1.0)].map(|unit| (unit * rise).stretched(beta));
+    let jumps = |order: &usize| {
+        pieces.windows(2).any(|pair| {
+            let [before, after] = [pair[0].at(pair[0].until), pair[1].at(pair[0].until)].map(|y| y.order(*order));
+            (before - after).abs() > PIECE_TOLERANCE * before.abs().max(after.abs()).max(1.0)
+        })
+    };
+    Some(Ends { limits, inner_jump: (1..4).find(jumps).map(|order| order as u8) })
+}

@@ -13,6 +13,7 @@ use check::{check_cycle, check_each};
 use curves::{climb, running_sum};
 use std::f64::consts::TAU;
 
+pub(crate) use curves::ends;
 pub use joints::Joint;
 pub use segment::Segment;
 

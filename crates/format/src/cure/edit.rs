@@ -73,6 +73,8 @@ pub(super) fn edits(design: &Design, cam: &Cam, remedy: &Remedy) -> Vec<Edit> {
         }
         Remedy::Tie { tie, .. } => vec![edit(["conjugate", tie.key()].into(), number(tie.value()))],
         Remedy::Eccentricity { value, .. } => vec![edit(["follower", "eccentricity"].into(), number(*value))],
+        Remedy::Length { key, value } => vec![edit(["follower", key].into(), number(*value))],
+        Remedy::NoSize { .. } => Vec::new(),
         Remedy::Laws { changes, .. } => {
             // The whole segment, since the parameters of the old law go and those of the new one come.
             let change = |&(k, law): &(usize, &'static Law)| {

@@ -3,9 +3,9 @@
 use super::EN;
 use crate::Units;
 use crate::voice::{Figures, by_law, row};
-use levalab_core::{Column, FindingKind, Level, Tie};
-use levalab_format::Remedy;
+use levalab_core::{Column, FindingKind, Instead, Level, Tie};
 use levalab_format::report::DesignFinding;
+use levalab_format::{Price, Remedy};
 
 pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
     let Figures { at, span, other, count, value, limit } = Figures::of(finding, units, EN);
@@ -120,7 +120,12 @@ pub(super) fn cure(finding: &DesignFinding, remedy: &Remedy, units: Units) -> St
                 format!("With an eccentricity of {e} it falls to {angle}.")
             }
         }
-        Remedy::Laws { changes, remaining_jump } => {
+        Remedy::Length { key, value } => {
+            let what = if *key == "arm" { "an arm" } else { "a pivot distance" };
+            format!("With {what} of {} {}.", units.length(*value, EN), passing(finding.kind, units))
+        }
+        Remedy::NoSize { needed, instead } => no_size(finding, *needed, *instead, units),
+        Remedy::Laws { changes, remaining_jump, price } => {
             let groups = by_law(changes)
                 .into_iter()
                 .map(|(law, segments)| format!("the {} law {}", crate::law(EN, law), in_segments(&segments)));
@@ -131,9 +136,42 @@ pub(super) fn cure(finding: &DesignFinding, remedy: &Remedy, units: Units) -> St
                 (_, Some(Column::J)) => "only the jerk still jumps",
                 (_, Some(_)) => "this jump is gone",
             };
-            format!("With {} {result}.", row(&groups, "and"))
+            format!("With {} {result}{}.", row(&groups, "and"), at_the_cost(price, units))
         }
     }
+}
+
+/// What a change of laws gives up, after what it brings.
+fn at_the_cost(price: &Price, units: Units) -> String {
+    let angle = price.pressure_angle.map(|(after, before)| {
+        format!("a pressure angle of up to {} instead of {}", EN.angle(after), EN.angle(before))
+    });
+    let peak = price.acceleration.map(|ratio| format!("a peak acceleration {} times the present one", EN.ratio(ratio)));
+    let lift = price.lift.map(|(after, before)| {
+        format!("a lift of {} instead of {}", units.travel(after, 0, EN), units.travel(before, 0, EN))
+    });
+    let costs: Vec<String> = angle.into_iter().chain(peak).chain(lift).collect();
+    if costs.is_empty() { String::new() } else { format!(", at the cost of {}", row(&costs, "and")) }
+}
+
+/// That size is no cure, and what is.
+fn no_size(finding: &DesignFinding, needed: Option<f64>, instead: Instead, units: Units) -> String {
+    let Figures { at, .. } = Figures::of(finding, units, EN);
+    let size = match needed.map(|size| units.length(size, EN)) {
+        Some(size) if units.travels => format!("A longer travel does not cure this: it would have to be {size}."),
+        Some(size) => format!("Size does not cure this: Rb would have to be {size}."),
+        None if units.travels => "No travel cures this.".to_owned(),
+        None => "No size cures this.".to_owned(),
+    };
+    let way = match instead {
+        Instead::GentlerSegment if units.travels => {
+            format!("A longer segment at {at} would, or less lift there.")
+        }
+        Instead::GentlerSegment => format!("More degrees for the segment at {at} would, or less lift there."),
+        Instead::SmallerFaceAngle => "A smaller angle of the face would.".to_owned(),
+        Instead::SmoothMotion => "First the motion has to be without jumps of displacement and velocity.".to_owned(),
+    };
+    format!("{size} {way}")
 }
 
 /// What another base circle brings, after it has been named.

@@ -3,9 +3,9 @@
 use super::ES;
 use crate::Units;
 use crate::voice::{Figures, by_law, row};
-use levalab_core::{Column, FindingKind, Level, Tie};
-use levalab_format::Remedy;
+use levalab_core::{Column, FindingKind, Instead, Level, Tie};
 use levalab_format::report::DesignFinding;
+use levalab_format::{Price, Remedy};
 
 pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
     let Figures { at, span, other, count, value, limit } = Figures::of(finding, units, ES);
@@ -119,7 +119,12 @@ pub(super) fn cure(finding: &DesignFinding, remedy: &Remedy, units: Units) -> St
                 format!("Con una excentricidad de {e} baja a {angle}.")
             }
         }
-        Remedy::Laws { changes, remaining_jump } => {
+        Remedy::Length { key, value } => {
+            let what = if *key == "arm" { "un brazo" } else { "una distancia a la articulación" };
+            format!("Con {what} de {} {}.", units.length(*value, ES), passing(finding.kind, units))
+        }
+        Remedy::NoSize { needed, instead } => no_size(finding, *needed, *instead, units),
+        Remedy::Laws { changes, remaining_jump, price } => {
             let groups = by_law(changes)
                 .into_iter()
                 .map(|(law, segments)| format!("la ley {} {}", crate::law(ES, law), in_segments(&segments)));
@@ -130,9 +135,46 @@ pub(super) fn cure(finding: &DesignFinding, remedy: &Remedy, units: Units) -> St
                 (_, Some(Column::J)) => "solo salta la sobreaceleración",
                 (_, Some(_)) => "este salto desaparece",
             };
-            format!("Con {} {result}.", row(&groups, "y"))
+            format!("Con {} {result}{}.", row(&groups, "y"), at_the_cost(price, units))
         }
     }
+}
+
+/// What a change of laws gives up, after what it brings.
+fn at_the_cost(price: &Price, units: Units) -> String {
+    let angle = price.pressure_angle.map(|(after, before)| {
+        format!("un ángulo de presión de hasta {} en lugar de {}", ES.angle(after), ES.angle(before))
+    });
+    let peak = price.acceleration.map(|ratio| format!("una aceleración máxima {} veces la actual", ES.ratio(ratio)));
+    let lift = price.lift.map(|(after, before)| {
+        format!("una elevación de {} en lugar de {}", units.travel(after, 0, ES), units.travel(before, 0, ES))
+    });
+    let costs: Vec<String> = angle.into_iter().chain(peak).chain(lift).collect();
+    if costs.is_empty() { String::new() } else { format!(", a costa de {}", row(&costs, "y")) }
+}
+
+/// That size is no cure, and what is.
+fn no_size(finding: &DesignFinding, needed: Option<f64>, instead: Instead, units: Units) -> String {
+    let Figures { at, .. } = Figures::of(finding, units, ES);
+    let size = match needed.map(|size| units.length(size, ES)) {
+        Some(size) if units.travels => {
+            format!("Una carrera más larga no lo remedia: tendría que ser de {size}.")
+        }
+        Some(size) => format!("El tamaño no lo remedia: Rb tendría que ser de {size}."),
+        None if units.travels => "Ninguna carrera lo remedia.".to_owned(),
+        None => "Ningún tamaño lo remedia.".to_owned(),
+    };
+    let way = match instead {
+        Instead::GentlerSegment if units.travels => {
+            format!("Lo remediaría un tramo más largo en {at}, o menos elevación en él.")
+        }
+        Instead::GentlerSegment => format!("Lo remediarían más grados para el tramo de {at}, o menos elevación en él."),
+        Instead::SmallerFaceAngle => "Lo remediaría una inclinación menor de la cara.".to_owned(),
+        Instead::SmoothMotion => {
+            "Antes hay que quitar al movimiento los saltos de desplazamiento y de velocidad.".to_owned()
+        }
+    };
+    format!("{size} {way}")
 }
 
 /// What another base circle brings, after it has been named.
