@@ -20,7 +20,8 @@ export function createFindingItem({ store, t, format }, cured) {
   const sentence = h("button", { type: "button", class: "finding-text" });
   const places = h("span", { class: "places" });
   const cures = h("span", { class: "cures" });
-  const root = h("li", { class: "finding pending" }, sentence, places, cures);
+  const counsel = h("span", { class: "counsel" });
+  const root = h("li", { class: "finding pending" }, sentence, places, cures, counsel);
 
   sentence.addEventListener("click", () => what && see(what.theta));
   root.addEventListener("pointerenter", () => store.set({ highlight: highlight() }));
@@ -91,9 +92,12 @@ export function createFindingItem({ store, t, format }, cured) {
      */
     prescribe(next) {
       if (next) {
-        remedies = next;
+        // An advice has no edits: it is read, not applied.
+        const advice = next.filter(({ edits }) => edits.length === 0);
+        remedies = next.filter(({ edits }) => edits.length > 0);
         root.classList.remove("pending");
-        fillButtons(cures, "cure", next.map(({ message }) => message), cure);
+        fillButtons(cures, "cure", remedies.map(({ message }) => message), cure);
+        write(counsel, advice.map(({ message }) => message).join(" "));
       }
       const waiting = next === null;
       for (const button of cures.children) {

@@ -27,3 +27,33 @@ export function whenIdle(work) {
   if ("requestIdleCallback" in globalThis) requestIdleCallback(() => work(), { timeout: PATIENCE });
   else setTimeout(work, PATIENCE / 10);
 }
+
+/** Milliseconds of one slice of a long work: a frame is drawn between two of them. */
+const SLICE = 8;
+
+/** Milliseconds after which a step of a work was too long, so that the next step gets a smaller budget. */
+const STEP = 4;
+
+/**
+ * Starts a long work in slices, each a task of its own, until it returns something.
+ * @template T
+ * @param {(budget: number) => T | undefined} step  goes on with the work; `undefined` while it is not done
+ * @param {(result: T) => void} done
+ * @returns {() => void} drops the work
+ */
+export function inSlices(step, done) {
+  let budget = 1;
+  let timer = window.setTimeout(slice);
+  function slice() {
+    const start = performance.now();
+    for (let now = start; now < start + SLICE; ) {
+      const result = step(budget);
+      if (result !== undefined) return done(result);
+      const spent = performance.now() - now;
+      budget = spent > STEP ? Math.max(1, budget >> 1) : budget * 2;
+      now += spent;
+    }
+    timer = window.setTimeout(slice);
+  }
+  return () => clearTimeout(timer);
+}

@@ -361,6 +361,8 @@ export interface Lab {
   open(design: Design, samples: number, language: Language): Opened;
   /** What would cure each finding of the current cam, and of the second one, in their order. Slower than an analysis: for when the hand rests. */
   cures(language: Language): Cure[][];
+  /** Goes on with the search for the cures; `budget` is the number of looks at a cam that this part may take. Undefined while it is not done. */
+  step_cures(budget: number, language: Language): Cure[][] | undefined;
   column(name: ColumnName, second?: boolean): Float64Array;
   at(theta: number, out: Float64Array, second?: boolean): void;
   /** s, v, a, j before and after border `border` (0 is θ = 0): eight numbers, per radian; none without a cam. */

@@ -10,7 +10,7 @@ import { createFigures } from "./figures.js";
 import { createFindingItem } from "./finding-item.js";
 import { createFindingsView } from "./findings-view.js";
 import { icon } from "./icons.js";
-import { atRest } from "./rest.js";
+import { atRest, inSlices } from "./rest.js";
 import { createTexts } from "./texts.js";
 
 /** Quiet milliseconds after which a changed verdict is said. */
@@ -93,15 +93,23 @@ export function mount(root, context) {
     findings.forEach((finding, index) => items[index]?.update(finding));
   }
 
-  /** Finding the cures takes many analyses. */
+  /** Drops the search for cures that is under way. */
+  let drop = () => {};
+
+  /** Finding the cures takes many analyses, so it is done in slices; the next edit drops it. */
   const lookForCures = atRest(() => {
-    const cures = items.length > 0 ? lab().cures(store.state.language) : [];
-    items.forEach((item, index) => item.prescribe(cures[index] ?? []));
+    if (items.length === 0) return;
+    const { language } = store.state;
+    drop = inSlices(
+      (budget) => lab().step_cures(budget, language),
+      (cures) => items.forEach((item, index) => item.prescribe(cures[index] ?? [])),
+    );
   });
 
   /** @param {Report} report */
   function awaitCures(report) {
     shown = report;
+    drop();
     for (const item of items) item.prescribe(null);
     lookForCures();
   }

@@ -8,7 +8,7 @@ import {
 
 /** @typedef {import("playwright-core").Page} Page */
 
-/** What the page's module is asked for. @typedef {"open" | "at" | "draw" | "cures" | "column"} Call */
+/** What the page's module is asked for. @typedef {"open" | "at" | "draw" | "step_cures" | "column"} Call */
 
 /**
  * Makes the next call of the running module jump to nowhere, so that it stops with a real trap.
@@ -47,7 +47,7 @@ async function acknowledge(page, complaints) {
   forgiveTrap(complaints);
 }
 
-for (const call of /** @type {const} */ (["open", "draw", "at", "cures"])) {
+for (const call of /** @type {const} */ (["open", "draw", "at", "step_cures"])) {
   test(`after a trap in "${call}" the page says so, keeps the cam and goes on`, async (t) => {
     const { page, complaints } = await openStill(t, { fragment: LINKS["9RT"] });
     await setCursor(page, "20");

@@ -1,11 +1,11 @@
 //! The current cam: checked, analysed, and asked about until the next good one takes its place.
 
 use crate::instant;
-use crate::report::{PageReport, cures};
+use crate::report::{PageReport, cures, told_cures};
 use levalab_core::{Analysis, Cam, Column, Svaj};
 use levalab_edge::{Failure, language, object};
 use levalab_format::report::{Report, column, scale_of};
-use levalab_format::{Design, DesignError};
+use levalab_format::{CureJob, Design, DesignError};
 use plotters::style::RGBColor;
 use serde::Serialize;
 use serde_json::Value;
@@ -30,6 +30,8 @@ pub struct Lab {
     current: Option<Rc<Current>>,
     /// The second cam of a pair, analysed like the first.
     second: Option<Current>,
+    /// The search for the cures of each cam; a new design drops it.
+    jobs: Vec<CureJob>,
     /// Cams whose curves are drawn behind those of the current one.
     pub(crate) beside: Vec<Beside>,
 }
@@ -73,6 +75,7 @@ impl Lab {
                 let report = PageReport::of(&current, second.as_ref(), language);
                 self.current = Some(Rc::new(current));
                 self.second = second;
+                self.jobs.clear();
                 Opened::Report(Box::new(report))
             }
             Err(error) => Opened::Error(Failure::of(language, &error)),
@@ -87,6 +90,29 @@ impl Lab {
     pub fn cures(&self, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
         let cams = self.current.as_deref().into_iter().chain(&self.second);
         object(&cams.flat_map(|current| cures(current, language(words))).collect::<Vec<_>>())
+    }
+
+    /// Goes on with the search for the cures, as [`Lab::cures`] gives them; the budget is the number of looks at a cam that this part may
+    /// take. Undefined while the search is not done. Opening a design drops the search.
+    ///
+    /// # Errors
+    /// Never, for any current cam.
+    #[wasm_bindgen(unchecked_return_type = "Cure[][] | undefined")]
+    pub fn step_cures(
+        &mut self,
+        budget: usize,
+        #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
+    ) -> Result<JsValue, JsError> {
+        let cams: Vec<&Current> = self.current.as_deref().into_iter().chain(&self.second).collect();
+        self.jobs.resize_with(cams.len(), CureJob::default);
+        let mut all = Vec::new();
+        for (current, job) in cams.into_iter().zip(&mut self.jobs) {
+            let Some(cures) = job.step(&current.design, &current.cam, &current.analysis, budget) else {
+                return Ok(JsValue::UNDEFINED);
+            };
+            all.extend(told_cures(current, cures, language(words)));
+        }
+        object(&all)
     }
 
     /// A column of the current cam, `samples` + 1 values; empty when it does not apply.

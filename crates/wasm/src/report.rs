@@ -171,7 +171,13 @@ fn summary(current: &Current) -> Vec<(&'static str, Range)> {
 
 /// The cures of every finding, in the order of the findings.
 pub fn cures(current: &Current, language: Language) -> Vec<Vec<ToldCure>> {
-    let Current { design, cam, analysis, report } = current;
+    let Current { design, cam, analysis, .. } = current;
+    told_cures(current, levalab_format::cures(design, cam, analysis), language)
+}
+
+/// Cures of every finding with their sentences.
+pub fn told_cures(current: &Current, cures: Vec<Vec<DesignCure>>, language: Language) -> Vec<Vec<ToldCure>> {
+    let Current { design, report, .. } = current;
     let of_finding = |(finding, cures): (_, Vec<DesignCure>)| {
         let told = |cure: DesignCure| {
             let message = levalab_words::cure(language, design, finding, &cure.remedy);
@@ -179,7 +185,7 @@ pub fn cures(current: &Current, language: Language) -> Vec<Vec<ToldCure>> {
         };
         cures.into_iter().map(told).collect()
     };
-    report.findings.iter().zip(levalab_format::cures(design, cam, analysis)).map(of_finding).collect()
+    report.findings.iter().zip(cures).map(of_finding).collect()
 }
 
 fn verdict_of(current: &Current, cam: Option<u8>, language: Language) -> Verdict {
