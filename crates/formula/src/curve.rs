@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub const ORDERS: [&str; 4] = ["y", "y'", "y''", "y'''"];
 
 /// A law as formulas.
-#[derive(PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Written {
     /// The factor C_a that all of its formulas share, when they are simpler with it.
     pub factor: Option<String>,
@@ -18,7 +18,7 @@ pub struct Written {
 }
 
 /// A piece of a law as formulas.
-#[derive(PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct WrittenPiece {
     /// Where it holds.
     pub span: String,

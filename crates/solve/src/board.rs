@@ -3,10 +3,12 @@
 use crate::document::{Block, Line, Table, formula, line};
 use crate::layout::equation;
 use crate::{Subject, number};
+use levalab_core::law::Arguments;
 use levalab_core::{Cam, Column};
 use levalab_format::Design;
 use levalab_format::report::scale_of;
 use levalab_formula::Formula;
+use levalab_formula::curve::Written;
 use levalab_words::Language;
 pub use levalab_words::{Two, two};
 
@@ -19,11 +21,21 @@ pub struct Board<'a> {
     pub subject: &'a Subject<'a>,
     pub language: Language,
     pub blocks: Vec<Block>,
+    /// The laws recognised so far, each with the first segment that has it.
+    pub known_laws: Vec<KnownLaw>,
+}
+
+/// A law as books write it, if they do, with what its curve depends on. Recognising its numbers is slow, so it is done once.
+pub struct KnownLaw {
+    pub segment: usize,
+    pub id: &'static str,
+    pub arguments: Arguments,
+    pub written: Option<Written>,
 }
 
 impl<'a> Board<'a> {
     pub fn new(subject: &'a Subject<'a>, language: Language) -> Self {
-        Self { subject, language, blocks: Vec::new() }
+        Self { subject, language, blocks: Vec::new(), known_laws: Vec::new() }
     }
 
     pub fn design(&self) -> &'a Design {

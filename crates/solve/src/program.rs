@@ -15,7 +15,7 @@ pub fn write(board: &mut Board, only: Option<usize>) {
     );
     let program = &board.cam().program;
     for k in (0..program.given().len()).filter(|&k| only.is_none_or(|only| only == k)) {
-        segment::write(board, k, only.is_some());
+        segment::write(board, k);
     }
     if program.cycle() == Cycle::Mirrored {
         board.say(

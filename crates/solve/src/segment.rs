@@ -54,8 +54,8 @@ impl<'a> Part<'a> {
     }
 }
 
-/// Writes segment `k`; `alone` when no other is written.
-pub fn write(board: &mut Board, k: usize, alone: bool) {
+/// Writes segment `k`.
+pub fn write(board: &mut Board, k: usize) {
     let part = Part::of(board, k);
     let (from, to) = (board.place(part.from), board.place(part.to));
     let law = levalab_words::law(board.language, part.segment.law);
@@ -73,7 +73,7 @@ pub fn write(board: &mut Board, k: usize, alone: bool) {
     variable(board, "x", part.from, part.beta());
     match part.segment.law.shape {
         Shape::Rest => {}
-        Shape::Unit(_) => unit::write(board, &part, if alone { 0 } else { k }),
+        Shape::Unit(_) => unit::write(board, &part, k),
         Shape::Matched(orders) => {
             system::between_neighbours(board, &part, orders);
             formulas(board, &part);

@@ -2,21 +2,39 @@
 
 use super::Part;
 use super::pieces::formulas;
-use crate::board::{Board, LETTERS, two};
+use crate::board::{Board, KnownLaw, LETTERS, two};
 use crate::document::formula;
 use crate::number::{self, Terms, symbol};
 use levalab_core::law::{Arguments, Shape};
 use levalab_core::{Quantity, Segment};
 use levalab_formula::curve::{ORDERS, Written, written};
 
-/// A law as books write it; none for one whose numbers are not those of books.
-fn as_written(&Segment { law, parameters, beta, rise, .. }: &Segment) -> Option<Written> {
+/// A law as books write it, and the first segment with the same; `None` for one whose numbers are not those of books.
+fn recognised(board: &mut Board, k: usize, segment: &Segment) -> Option<(usize, Written)> {
+    let Segment { law, parameters, beta, rise, .. } = *segment;
     matches!(law.shape, Shape::Unit(_)).then_some(())?;
-    written(&law.unit(Arguments { parameters, falling: rise < 0.0, beta }).ok()?)
+    let arguments = Arguments { parameters, falling: rise < 0.0, beta };
+    let depends_on_beta = law.parameters.iter().any(|parameter| parameter.quantity == Quantity::Span);
+    let is_it = |known: &KnownLaw| {
+        let other = known.arguments;
+        known.id == law.id
+            && other.parameters == parameters
+            && other.falling == arguments.falling
+            && (other.beta == beta || !depends_on_beta)
+    };
+    let written = match board.known_laws.iter().find(|known| is_it(known)) {
+        Some(known) => return known.written.clone().map(|written| (known.segment, written)),
+        None => law.unit(arguments).ok().and_then(|pieces| written(&pieces)),
+    };
+    // A return may be written as the rise is.
+    let alike = |known: &&KnownLaw| known.id == law.id && known.written == written;
+    let segment = board.known_laws.iter().find(alike).map_or(k, |known| known.segment);
+    board.known_laws.push(KnownLaw { segment, id: law.id, arguments, written: written.clone() });
+    written.map(|written| (segment, written))
 }
 
-/// A law that books write, scaled to β and L; one that they do not is given by its numbers. The first `before` segments are written already.
-pub fn write(board: &mut Board, part: &Part, before: usize) {
+/// A law that books write, scaled to β and L; one that they do not is given by its numbers. It is that of segment `k`.
+pub fn write(board: &mut Board, part: &Part, k: usize) {
     let Segment { law, parameters, beta, rise, .. } = *part.segment;
     for (parameter, value) in law.parameters.iter().zip(parameters) {
         let symbol = match parameter.symbol {
@@ -30,7 +48,7 @@ pub fn write(board: &mut Board, part: &Part, before: usize) {
             _ => board.show(&format!("{symbol} = {}", number::datum(value))),
         }
     }
-    let Some(known) = as_written(part.segment) else {
+    let Some((first, known)) = recognised(board, k, part.segment) else {
         board.say(
             two(
                 "The law with its numbers, each piece scaled by $L$ and $β$ and begun where the one before it ends:",
@@ -40,9 +58,7 @@ pub fn write(board: &mut Board, part: &Part, before: usize) {
         );
         return formulas(board, part);
     };
-    let earlier = &board.cam().program.segments()[..before];
-    let same = earlier.iter().position(|other| other.law.id == law.id && as_written(other).as_ref() == Some(&known));
-    match same {
+    match (first < k).then_some(first) {
         Some(other) => board.say(
             two(
                 "The law $y(x)$ and its derivatives are those of segment {n}.",
