@@ -34,6 +34,9 @@ const SLICE = 8;
 /** Milliseconds after which a step of a work was too long, so that the next step gets a smaller budget. */
 const STEP = 4;
 
+/** The largest budget of a step: its parts differ in length, and one that was quick says little about the next. */
+const LARGEST_BUDGET = 4;
+
 /**
  * Starts a long work in slices, each a task of its own, until it returns something.
  * @template T
@@ -50,7 +53,7 @@ export function inSlices(step, done) {
       const result = step(budget);
       if (result !== undefined) return done(result);
       const spent = performance.now() - now;
-      budget = spent > STEP ? Math.max(1, budget >> 1) : budget * 2;
+      budget = spent > STEP ? Math.max(1, budget >> 1) : Math.min(LARGEST_BUDGET, budget * 2);
       now += spent;
     }
     timer = window.setTimeout(slice);

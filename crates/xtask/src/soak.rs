@@ -1,4 +1,5 @@
-//! Many random designs and damaged links through the design file and the link, and random texts as formulas, in search of one that breaks them.
+//! Many random designs and damaged links through the design file and the link, random designs with all their cures, and random texts as
+//! formulas, in search of one that breaks them.
 
 use anyhow::Result;
 
@@ -18,6 +19,9 @@ const SHORT: u64 = 100_000;
 /// Fewest texts tried as formulas: they take a second.
 const FORMULAS: u64 = 1_000_000;
 
+/// One design in so many is tried with all its cures, which takes hundreds of analyses.
+const CURED: u64 = 10;
+
 impl Default for Options {
     fn default() -> Self {
         Self { count: SHORT }
@@ -30,7 +34,12 @@ pub fn run(options: &Options) -> Result<()> {
     let designs = ["--package", "levalab-format", "--test", "soak", "--", "--nocapture"];
     let formulas =
         ["--package", "levalab-core", "--lib", "--", "any_text_is_an_expression_or_a_refusal", "--nocapture"];
-    let all = [("designs and damaged links", count, designs.as_slice()), ("formulas", count.max(FORMULAS), &formulas)];
+    let cures = ["--package", "levalab-format", "--test", "cures", "--", "every_cure", "--nocapture"];
+    let all = [
+        ("designs and damaged links", count, designs.as_slice()),
+        ("formulas", count.max(FORMULAS), &formulas),
+        ("designs with all their cures", count / CURED, &cures),
+    ];
     for (what, count, arguments) in all {
         let mut command = process::cargo(["test", "--release"].into_iter().chain(arguments.iter().copied()));
         command.env("LEVALAB_SOAK", count.to_string());
