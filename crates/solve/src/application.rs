@@ -16,7 +16,7 @@ pub fn write(board: &mut Board, place: &Place) {
     let name = application_name(board.language, set.application.id);
     board.heading(1, two("What the follower drives: {name}", "Lo que mueve el seguidor: {name}"), &[("name", name)]);
     let known = parameters(board, set, &outcome);
-    outputs(board, set, &outcome, known, place.theta());
+    outputs(board, set, &outcome, known, place);
     extremes(board, &outcome);
     targets(board, set, &outcome);
 }
@@ -60,8 +60,8 @@ fn parameters(board: &mut Board, set: &ApplicationDesign, outcome: &Outcome) -> 
 }
 
 /// Every output where numbers are put in.
-fn outputs(board: &mut Board, set: &ApplicationDesign, outcome: &Outcome, mut known: Values, theta: f64) {
-    let (motion, omega) = (board.cam().program.at(theta), board.design().omega());
+fn outputs(board: &mut Board, set: &ApplicationDesign, outcome: &Outcome, mut known: Values, place: &Place) {
+    let (motion, omega) = (place.motion(board.cam()), board.design().omega());
     let (s, velocity) = (board.figure(0, motion.s), number::height(board.settled(1, motion.v) * omega));
     let given = format!(
         "s = {}, V = {}{}",
@@ -71,7 +71,7 @@ fn outputs(board: &mut Board, set: &ApplicationDesign, outcome: &Outcome, mut kn
     );
     board.say(
         two("At $θ = {theta}$, where ${given}$:", "En $θ = {theta}$, donde ${given}$:"),
-        &[("theta", &board.solved_place(theta)), ("given", &given)],
+        &[("theta", &board.solved_place(place.theta())), ("given", &given)],
     );
     known.extend([("s", s), ("V", velocity)]);
     let values = set.core_values();

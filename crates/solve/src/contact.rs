@@ -33,10 +33,11 @@ pub struct Rules {
     pub contact: Contact,
 }
 
-/// The rules of a cam at θ. The second cam of a pair is as if seen from the other side: it turns in the other sense.
-pub fn rules(cam: &Cam, theta: f64) -> Rules {
+/// The rules of a cam while its follower has a given motion. The second cam of a pair is as if seen from the other side: it turns in the
+/// other sense.
+pub fn rules(cam: &Cam, motion: Svaj) -> Rules {
     let follower = &cam.follower;
-    let (motion, contact) = cam.at(theta);
+    let contact = cam.contact(motion);
     let value = |key: &str| follower.value(key).unwrap_or(0.0);
     let mirrored = if follower.reversed.is_some() { -1.0 } else { 1.0 };
     let sigma = follower.rotation.sigma() * mirrored;
@@ -160,7 +161,7 @@ mod tests {
     fn check(name: &str, cam: &Cam) -> usize {
         let mut checked = 0;
         for i in 0..24 {
-            let rules = rules(cam, cam.program.span() * f64::from(i) / 24.0 + 0.01);
+            let rules = rules(cam, cam.program.at(cam.program.span() * f64::from(i) / 24.0 + 0.01));
             let mut known = rules.known.clone();
             for rule in &rules.rules {
                 let value =

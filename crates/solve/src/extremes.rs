@@ -3,11 +3,13 @@
 use crate::board::{Board, LETTERS, TIMED, cell, two};
 use crate::curve::derivative;
 use crate::document::{Line, formula, line};
+use crate::inner::{self, Inner, Why};
 use crate::layout::width;
+use crate::limit::nearest;
 use crate::number;
 use crate::segment::Part;
-use levalab_core::Column;
-use levalab_format::report::Range;
+use levalab_core::{Column, Svaj};
+use levalab_format::report::{Range, scale_of};
 use levalab_formula::Formula;
 
 /// Extremes of a derivative in a segment that are all told; of more, the greatest and the least.
@@ -16,24 +18,12 @@ const TOLD: usize = 6;
 /// An equation wider than this is left out: its roots say enough.
 const WIDEST: usize = 110;
 
-/// Where a derivative is greatest or least inside a segment.
-struct Found {
-    order: usize,
-    theta: f64,
-    value: f64,
-}
-
 /// The extremes inside a segment, with the equations that give them.
 pub fn within(board: &mut Board, part: &Part) {
     let mut all = Vec::new();
     let mut announced = false;
     for order in 0..3 {
-        let of = |stretch: &&levalab_core::Stretch| {
-            let zeros = stretch.zeros(order + 1);
-            let value = |theta: f64| Found { order, theta, value: stretch.at(theta).order(order) };
-            zeros.into_iter().map(value).collect::<Vec<_>>()
-        };
-        let found: Vec<Found> = part.stretches.iter().flat_map(of).collect();
+        let found = inner::extremes(&part.stretches, order);
         if let Some((left, sides)) = equation(board, part, order, &found) {
             if !announced {
                 board.say(
@@ -65,39 +55,56 @@ pub fn within(board: &mut Board, part: &Part) {
         board.line(two("extreme", "extremo"), &[]),
         board.line(two("per second", "por segundo"), &[]),
     ];
-    let row = |found: &Found| {
-        let Found { order, theta, value } = *found;
-        let (letter, timed) = (LETTERS[order], TIMED[order]);
-        let per_second = match order {
-            0 => Line::new(),
-            _ => cell(&format!("{timed} = {}{}", board.timed_figure(order, value), board.timed_unit(order))),
-        };
-        vec![
-            cell(&format!("{} = 0", LETTERS[order + 1])),
-            cell(&number::part((theta - part.from) / part.beta())),
-            cell(&board.solved_place(theta)),
-            cell(&format!("{letter} = {}", board.derivative(order, value))),
-            per_second,
-        ]
-    };
-    let rows = all.iter().map(row).collect();
+    let rows = all.iter().map(|found| row(board, part, found)).collect();
     board.table(two("Extreme values inside the segment", "Valores extremos dentro del tramo"), heads, rows);
 }
 
+/// A row of the table of extremes inside a segment.
+fn row(board: &Board, part: &Part, found: &Inner) -> Vec<Line> {
+    let Inner { order, from, to, value, why } = *found;
+    let (letter, timed, next) = (LETTERS[order], TIMED[order], LETTERS[order + 1]);
+    let reason = match why {
+        Why::Zero => cell(&format!("{next} = 0")),
+        Why::Crossing => board.line(two("${d}$ changes its sign", "${d}$ cambia de signo"), &[("d", next)]),
+        Why::Left => board
+            .line(two("${d}$ jumps (limit from the left)", "${d}$ salta (límite por la izquierda)"), &[("d", letter)]),
+        Why::Right => board
+            .line(two("${d}$ jumps (limit from the right)", "${d}$ salta (límite por la derecha)"), &[("d", letter)]),
+    };
+    // A derivative that keeps its extreme for a while has two places: where it reaches it and where it leaves it.
+    let both = |of: &dyn Fn(f64) -> String| match (of(from), of(to)) {
+        (one, other) if one == other => cell(&one),
+        (one, other) => {
+            board.line(two("${from}$ to ${to}$", "de ${from}$ a ${to}$"), &[("from", &one), ("to", &other)])
+        }
+    };
+    let per_second = match order {
+        0 => Line::new(),
+        _ => cell(&format!("{timed} = {}{}", board.timed_figure(order, value), board.timed_unit(order))),
+    };
+    vec![
+        reason,
+        both(&|theta| number::part((theta - part.from) / part.beta())),
+        both(&|theta| board.solved_place(theta)),
+        cell(&format!("{letter} = {}", board.derivative(order, value))),
+        per_second,
+    ]
+}
+
 /// The next derivative set to zero, in numbers, and its roots.
-fn equation(board: &Board, part: &Part, order: usize, found: &[Found]) -> Option<(Formula, Vec<(char, Formula)>)> {
+fn equation(board: &Board, part: &Part, order: usize, found: &[Inner]) -> Option<(Formula, Vec<(char, Formula)>)> {
     let scaled = part.whole()?.clone().scaled(board.scale(), 0.0);
     let sum = derivative(&scaled, order + 1, "x")?;
     if found.is_empty() || width(&sum) > WIDEST || found.len() > TOLD {
         return None;
     }
     let left = format!("s{}", "'".repeat(order + 1));
-    let roots: Vec<String> = found.iter().map(|f| number::part((f.theta - part.from) / part.beta())).collect();
+    let roots: Vec<String> = found.iter().map(|f| number::part((f.from - part.from) / part.beta())).collect();
     let roots = formula(&format!("x = {}", roots.join(", ")));
     Some((formula(&left), vec![('=', sum), ('=', Formula::Number("0".into())), ('⇒', roots)]))
 }
 
-fn few(mut found: Vec<Found>) -> Vec<Found> {
+fn few(mut found: Vec<Inner>) -> Vec<Inner> {
     if found.len() <= TOLD {
         return found;
     }
@@ -138,51 +145,80 @@ pub fn write(board: &mut Board) {
     let report = board.subject.report;
     let omega = board.design().omega();
     let length = board.length();
-    let mut rows = Vec::new();
-    let mut add = |symbol: &str, range: Range, factor: f64, unit: &str, written: fn(f64) -> String| {
-        if range.min.is_infinite() && range.max.is_infinite() {
-            return;
-        }
-        let scale = range.max.abs().max(range.min.abs());
-        // An angle has a scale of its own, which its rounding is nothing beside.
-        let scale = if symbol == "φ" { scale.max(90.0) } else { scale };
-        let value = |value: f64| {
-            let settled = if scale.is_finite() { number::settled(value, scale) } else { value };
-            if value.is_finite() { cell(&(written(settled * factor) + unit)) } else { line("–") }
-        };
-        // What is the same all along has no place.
-        let level = range.max - range.min <= number::NEGLIGIBLE * scale;
-        let at = |at: f64, value: f64| if value.is_finite() && !level { cell(&placed(board, at)) } else { line("–") };
-        rows.push(vec![
-            cell(symbol),
-            value(range.min),
-            at(range.min_at, range.min),
-            value(range.max),
-            at(range.max_at, range.max),
-        ]);
-    };
     let columns = [Column::S, Column::V, Column::A, Column::J];
+    let mut rows = Vec::new();
+    let mut add = |shown: Shown, column: Column| {
+        rows.extend(report.range(column).and_then(|range| extreme_row(board, &shown, column, range)));
+    };
     for (order, column) in columns.into_iter().enumerate() {
-        if let Some(range) = report.range(column) {
-            let written = if order == 0 { number::height } else { number::result };
-            add(LETTERS[order], range, 1.0, &board.unit(order), written);
-        }
+        let written = if order == 0 { number::height } else { number::result };
+        add(Shown { symbol: LETTERS[order], factor: 1.0, unit: board.unit(order), written }, column);
     }
     for (order, column) in columns.into_iter().enumerate().skip(1) {
-        if let Some(range) = report.range(column) {
-            add(TIMED[order], range, omega.powi(order as i32), &board.timed_unit(order), number::result);
-        }
+        let (factor, unit) = (omega.powi(order as i32), board.timed_unit(order));
+        add(Shown { symbol: TIMED[order], factor, unit, written: number::result }, column);
     }
-    if let Some(range) = report.range(Column::PressureAngle) {
-        add("φ", range, 1.0, "{°}", number::angle);
-    }
+    add(Shown { symbol: "φ", factor: 1.0, unit: "{°}".into(), written: number::angle }, Column::PressureAngle);
     for (column, symbol) in [(Column::RhoPitch, "ρ_p"), (Column::Rho, "ρ"), (Column::Contact, "q")] {
-        if let Some(range) = report.range(column) {
-            add(symbol, range, 1.0, &length, number::result);
-        }
+        add(Shown { symbol, factor: 1.0, unit: length.clone(), written: number::result }, column);
     }
     board.table(two("Extremes of the whole cycle", "Extremos de todo el ciclo"), heads, rows);
     radius(board);
+}
+
+/// How a magnitude is written in the table of extremes.
+struct Shown {
+    symbol: &'static str,
+    factor: f64,
+    unit: String,
+    written: fn(f64) -> String,
+}
+
+/// The minimum and the maximum of a column with their places; none when both are infinite.
+fn extreme_row(board: &Board, shown: &Shown, column: Column, range: Range) -> Option<Vec<Line>> {
+    if range.min.is_infinite() && range.max.is_infinite() {
+        return None;
+    }
+    let scale = range.max.abs().max(range.min.abs());
+    // An angle is measured against a right angle, compared with which its rounding is nothing.
+    let scale = if column == Column::PressureAngle { scale.max(90.0) } else { scale };
+    let value = |value: f64| {
+        let settled = if scale.is_finite() { number::settled(value, scale) } else { value };
+        if value.is_finite() { cell(&((shown.written)(settled * shown.factor) + &shown.unit)) } else { line("–") }
+    };
+    // A magnitude that is the same all along has no place.
+    let level = range.max - range.min <= number::NEGLIGIBLE * scale;
+    let at = |place: f64, extreme: f64| match extreme.is_finite() && !level {
+        true if is_left_limit(board, column, place, extreme) => {
+            let place = if place == 0.0 { board.design().place(board.cam().program.span()) } else { place };
+            board.line(
+                two("${at}$ (limit from the left)", "${at}$ (límite por la izquierda)"),
+                &[("at", &placed(board, place))],
+            )
+        }
+        true => cell(&placed(board, place)),
+        false => line("–"),
+    };
+    let Range { min, min_at, max, max_at } = range;
+    Some(vec![cell(shown.symbol), value(min), at(min_at, min), value(max), at(max_at, max)])
+}
+
+/// True when a column has an extreme at a joint as its limit from the left, and another value from there on.
+fn is_left_limit(board: &Board, column: Column, place: f64, extreme: f64) -> bool {
+    let cam = board.cam();
+    let of = |motion: Svaj| match column {
+        Column::S => motion.s,
+        Column::V => motion.v,
+        Column::A => motion.a,
+        Column::J => motion.j,
+        Column::PressureAngle => cam.contact(motion).pressure_angle,
+        Column::Contact => cam.contact(motion).reach,
+        Column::RhoPitch => 1.0 / cam.contact(motion).bend,
+        _ => cam.follower.profile_radius(cam.contact(motion).bend),
+    };
+    let theta = if board.travels() { place } else { place.to_radians() };
+    let extreme = extreme / scale_of(board.design(), column);
+    nearest(cam, theta, extreme, of).0 != cam.program.stretch_index(theta)
 }
 
 /// What the range of ρ cannot tell where the profile is partly hollow.

@@ -26,9 +26,11 @@ mod expression;
 mod extremes;
 mod given;
 mod html;
+mod inner;
 mod joints;
 mod latex;
 mod layout;
+mod limit;
 mod markdown;
 mod number;
 mod pair;
@@ -52,6 +54,7 @@ use levalab_core::{Analysis, Cam};
 use levalab_format::report::Report;
 use levalab_format::{Design, DesignError};
 use levalab_words::Language;
+use substitution::Place;
 
 /// A design with all that follows from it.
 pub struct Worked {
@@ -118,7 +121,7 @@ pub fn solve(worked: &Worked, request: &Request) -> Document {
     let mut board = Board::new(&subject, request.language);
     let title = board.words(two("Worked solution", "Solución desarrollada"), &[]);
     let title = if worked.design.title.is_empty() { title } else { format!("{title}: {}", worked.design.title) };
-    let place = substitution::place(&board, request);
+    let place = Place::of(&board, request);
     given::write(&mut board);
     program::write(&mut board, request.segment);
     joints::write(&mut board, request.segment);

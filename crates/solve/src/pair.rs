@@ -4,7 +4,7 @@ use crate::board::{Board, two};
 use crate::document::{Block, formula};
 use crate::number;
 use crate::substitute::substituted;
-use crate::substitution::{Place, contact_at};
+use crate::substitution::{Place, contact_of};
 use crate::{extremes, verdict};
 use levalab_core::{Body, Cam, Element, angle_between};
 use levalab_format::Design;
@@ -29,14 +29,14 @@ pub fn write(board: &mut Board, first: &Cam, place: &Place) {
     extremes::write(board);
     let theta = board.solved_place(place.theta());
     board.heading(2, two("Numbers put in at $θ = {theta}$", "Sustitución en $θ = {theta}$"), &[("theta", &theta)]);
-    let motion = board.cam().program.at(place.theta());
+    let motion = place.motion(board.cam());
     board.show(&format!(
         "s = {}, v = {}, a = {}",
         board.derivative(0, motion.s),
         board.derivative(1, motion.v),
         board.derivative(2, motion.a)
     ));
-    contact_at(board, place.theta());
+    contact_of(board, motion);
     verdict::write(board);
     // All of it is a part of this part.
     for block in board.blocks.iter_mut().skip(1) {

@@ -3,6 +3,7 @@
 use crate::board::{Board, two};
 use crate::contact::rules;
 use crate::document::formula;
+use crate::limit::nearest;
 use crate::number;
 use crate::substitute::substituted;
 use levalab_core::{SizeLimit, shortest_travel, smallest_base_radius, smallest_for};
@@ -70,7 +71,8 @@ fn slope(board: &mut Board, symbol: &str) {
         &[("at", &board.solved_place(at))],
     );
     // The value that is greatest, with its formula.
-    let rules = rules(cam, at);
+    let (_, motion) = nearest(cam, at, value, |motion| cam.contact(motion).pressure_angle.abs());
+    let rules = rules(cam, motion);
     let mut known: Vec<(&'static str, String)> =
         rules.known.iter().map(|&(letter, value, _)| (letter, number::height(value))).collect();
     known.extend(rules.rules.iter().map(|rule| (rule.left, number::height(rule.value))));

@@ -5,63 +5,107 @@ use crate::board::{Board, LETTERS, TIMED, Two, two};
 use crate::contact::{Measure, Rules, angle_of, is_beyond, rules};
 use crate::curve::derivative;
 use crate::document::formula;
+use crate::limit::{nearest, place_on};
 use crate::number;
 use crate::segment::{Part, sided};
 use crate::substitute::{Values, substituted};
+use levalab_core::{Cam, Svaj};
 use levalab_formula::Formula;
 
 /// Where numbers are put in, and why there.
 pub struct Place {
     theta: f64,
+    /// The stretch whose formulas hold: at a joint, the one before it or the one after it.
+    stretch: usize,
     chosen: Option<Two>,
-}
-
-impl Place {
-    /// θ, in the core's unit.
-    pub fn theta(&self) -> f64 {
-        self.theta
-    }
 }
 
 /// How far from the extreme of a smooth curve, as a part of the cycle, a search by values may end.
 const HALF_THE_DIGITS: f64 = 1e-7;
 
-/// The place that is asked for, or where |v| is greatest: in the cycle, or in the only segment that is asked for.
-pub fn place(board: &Board, request: &Request) -> Place {
-    let program = &board.cam().program;
-    let given = request.theta.filter(|theta| theta.is_finite());
-    if let Some(theta) = given {
-        let theta =
-            if board.travels() { theta.clamp(0.0, program.span()) } else { theta.rem_euclid(360.0).to_radians() };
-        return Place { theta, chosen: None };
-    }
-    let Some(k) = request.segment.filter(|&k| k < program.given().len()) else {
-        let chosen = two("There $|v|$ is greatest in the cycle.", "Allí $|v|$ es máxima en el ciclo.");
-        return Place { theta: fastest(board), chosen: Some(chosen) };
-    };
-    let part = Part::of(board, k);
-    let mut best = (part.from, 0.0);
-    for stretch in &part.stretches {
-        for theta in stretch.zeros(2).into_iter().chain([stretch.from]) {
-            let speed = stretch.at(theta).v.abs();
-            if speed > best.1 {
-                best = (theta, speed);
-            }
+/// Of two values of |v| closer than this part of them, the first is the one to name.
+const ROUNDING: f64 = 1e-9;
+
+impl Place {
+    /// The place that is asked for, or where |v| has its maximum: in the cycle, or in the only segment that is asked for.
+    pub fn of(board: &Board, request: &Request) -> Self {
+        let program = &board.cam().program;
+        if let Some(theta) = request.theta.filter(|theta| theta.is_finite()) {
+            let theta =
+                if board.travels() { theta.clamp(0.0, program.span()) } else { theta.rem_euclid(360.0).to_radians() };
+            return Self { theta, stretch: program.stretch_index(theta), chosen: None };
         }
+        let only = request.segment.filter(|&k| k < program.given().len());
+        let (theta, stretch, speed) = fastest(board, only);
+        let still = speed <= 0.0;
+        let chosen = match only {
+            None if still => two(
+                "The follower never moves: $v = 0$ in the whole cycle.",
+                "El seguidor no se mueve nunca: $v = 0$ en todo el ciclo.",
+            ),
+            Some(_) if still => {
+                two("The follower rests in this segment: $v = 0$.", "El seguidor reposa en este tramo: $v = 0$.")
+            }
+            None => two("There $|v|$ is greatest in the cycle.", "Allí $|v|$ es máxima en el ciclo."),
+            Some(_) => two("There $|v|$ is greatest in the segment.", "Allí $|v|$ es máxima en el tramo."),
+        };
+        Self { theta, stretch, chosen: Some(chosen) }
     }
-    Place {
-        theta: best.0,
-        chosen: Some(two("There $|v|$ is greatest in the segment.", "Allí $|v|$ es máxima en el tramo.")),
+
+    /// θ, in the core's unit.
+    pub fn theta(&self) -> f64 {
+        self.theta
+    }
+
+    /// The motion there, of this cam or of the other one of a pair, whose stretches are as long.
+    pub fn motion(&self, cam: &Cam) -> Svaj {
+        cam.program.stretches()[self.stretch].at(self.theta)
     }
 }
 
-/// Where |v| is greatest in the cycle. The core's search by values knows the place to half the digits; the zero of *a* beside it has them all.
-fn fastest(board: &Board) -> f64 {
-    let (program, near) = (&board.cam().program, board.subject.analysis.summary.v.greatest_size().1);
-    let stretch = &program.stretches()[program.stretch_index(near)];
+/// Where |v| has its maximum, from which stretch, and its value: in the cycle or in one segment. The limits at both ends of every stretch are looked
+/// at, since |v| may grow up to a joint, and jump there.
+fn fastest(board: &Board, segment: Option<usize>) -> (f64, usize, f64) {
+    let program = &board.cam().program;
+    let mut best: Option<(f64, usize, f64)> = None;
+    for (k, stretch) in program.stretches().iter().enumerate() {
+        if segment.is_some_and(|segment| segment != stretch.segment) {
+            continue;
+        }
+        for theta in std::iter::once(stretch.from).chain(stretch.zeros(2)).chain([stretch.to]) {
+            let speed = stretch.at(theta).v.abs();
+            if best.is_none_or(|best| speed > best.2 * (1.0 + ROUNDING)) {
+                best = Some((theta, k, speed));
+            }
+        }
+    }
+    let best = best.unwrap_or((0.0, 0, 0.0));
+    // Where the numbers are equal on both sides of a joint, those of the segment that begins there are put in.
+    let next = best.1 + 1;
+    let begins_next =
+        program.stretches().get(next).filter(|next| segment.is_none_or(|segment| segment == next.segment));
+    let best = match begins_next {
+        Some(after) if after.from == best.0 && after.at(best.0).v.abs() >= best.2 * (1.0 - ROUNDING) => {
+            (best.0, next, best.2)
+        }
+        _ => best,
+    };
+    searched(board, segment).filter(|found| found.2 > best.2 * (1.0 + ROUNDING)).unwrap_or(best)
+}
+
+/// The maximum that the core found in the cycle by a finer search, for a motion with narrow features.
+fn searched(board: &Board, segment: Option<usize>) -> Option<(f64, usize, f64)> {
+    let (speed, near) = board.subject.analysis.summary.v.greatest_size();
+    let (k, _) = nearest(board.cam(), near, speed, |motion| motion.v.abs());
+    let program = &board.cam().program;
+    let (stretch, near) = (&program.stretches()[k], place_on(program, k, near));
+    if segment.is_some_and(|segment| segment != stretch.segment) {
+        return None;
+    }
     let off = |theta: f64| (theta - near).abs();
     let zero = stretch.zeros(2).into_iter().min_by(|&a, &b| off(a).total_cmp(&off(b)));
-    zero.filter(|&theta| off(theta) < HALF_THE_DIGITS * program.span()).unwrap_or(near)
+    let exact = zero.filter(|&theta| off(theta) < HALF_THE_DIGITS * program.span()).unwrap_or(near);
+    Some((exact, k, speed))
 }
 
 pub fn write(board: &mut Board, place: &Place) {
@@ -71,14 +115,14 @@ pub fn write(board: &mut Board, place: &Place) {
     if let Some(chosen) = place.chosen {
         board.say(chosen, &[]);
     }
-    motion(board, theta);
-    contact_at(board, theta);
+    motion(board, place);
+    contact_of(board, place.motion(board.cam()));
 }
 
 /// s, v, a, j from the formulas of the segment, and V, A, J.
-fn motion(board: &mut Board, theta: f64) {
-    let program = &board.cam().program;
-    let stretch = &program.stretches()[program.stretch_index(theta)];
+fn motion(board: &mut Board, place: &Place) {
+    let theta = place.theta;
+    let stretch = &board.cam().program.stretches()[place.stretch];
     let part = Part::of(board, stretch.segment);
     let (form, origin, beta) = stretch.formula();
     let own = (origin - part.from).abs() > 1e-9 || (beta - part.beta()).abs() > 1e-9;
@@ -96,9 +140,17 @@ fn motion(board: &mut Board, theta: f64) {
             ),
             &[],
         );
+    } else if (theta - stretch.to).abs() < 1e-9 {
+        board.say(
+            two(
+                "It is a joint: these are the limits from the left.",
+                "Es una unión: estos son los límites por la izquierda.",
+            ),
+            &[],
+        );
     }
     let values: Values = vec![(if own { "u" } else { "x" }, x), (if own { "β_u" } else { "β" }, number::result(beta))];
-    let motion = program.at(theta);
+    let motion = place.motion(board.cam());
     let scaled = form.clone().scaled(board.scale(), 0.0);
     for (order, name) in LETTERS.iter().enumerate() {
         let told = board.derivative(order, motion.order(order));
@@ -130,8 +182,8 @@ fn motion(board: &mut Board, theta: f64) {
 }
 
 /// φ, ρp, ρ and the contact.
-pub fn contact_at(board: &mut Board, theta: f64) {
-    let rules = rules(board.cam(), theta);
+pub fn contact_of(board: &mut Board, motion: Svaj) {
+    let rules = rules(board.cam(), motion);
     if board.swings() {
         let [s, v, a] = [0, 1, 2].map(|order| number::result(board.settled(order, rules.motion.order(order))));
         board.say(two("In radians:", "En radianes:"), &[]);
