@@ -175,3 +175,56 @@ fn extremes_hold_among_short_stretches_that_are_almost_as_steep() {
     rows.push(("dwell", left, 0.0));
     assert_summary("twenty short stretches", &Cam::new(lengths(&rows), roller()));
 }
+
+/// Every change of sign of the curvature that brute force sees, each between two neighbouring stations.
+fn seen_inflections(cam: &Cam) -> Vec<(f64, f64)> {
+    let stations = cam.program.stretches().iter().flat_map(|stretch| {
+        let count = 5_000;
+        (0..=count).map(move |i| {
+            let theta = stretch.from + (stretch.to - stretch.from) * f64::from(i) / f64::from(count);
+            (theta, cam.contact(stretch.at(theta)).bend)
+        })
+    });
+    let stations: Vec<(f64, f64)> = stations.collect();
+    let pairs = (0..stations.len()).map(|i| [stations[(i + stations.len() - 1) % stations.len()], stations[i]]);
+    let changes = pairs.filter(|[before, after]| (before.1 > 0.0) != (after.1 > 0.0));
+    changes.map(|[before, after]| (if before.0 > after.0 { 0.0 } else { before.0 }, after.0)).collect()
+}
+
+#[test]
+fn every_inflection_is_named_and_rho_has_bounds_only_where_the_curvature_jumps() {
+    let small = || follower("translating-roller", 25.0, &[("roller_radius", 4.0)], Rotation::CounterClockwise);
+    // A short and steep parabola turns hollow and back by jumps of its acceleration; the others by a zero of the curvature.
+    let mut jumping = 0;
+    let programs = [
+        ("parabolic", 30.0, 8.0),
+        ("parabolic", 70.0, 20.0),
+        ("cycloidal", 70.0, 20.0),
+        ("modified-sine", 70.0, 20.0),
+        ("simple-harmonic", 70.0, 20.0),
+        ("polynomial-3-4-5", 70.0, 20.0),
+    ];
+    for (law, beta, rise) in programs {
+        let rows = [(law, beta, rise), ("dwell", 50.0, 0.0), (law, beta, -rise), ("dwell", 310.0 - 2.0 * beta, 0.0)];
+        let cam = Cam::new(lengths(&rows), small());
+        let (analysis, seen) = (Analysis::of(&cam, 360), seen_inflections(&cam));
+        assert_eq!(analysis.inflections.len(), seen.len(), "{law}: {:?}, seen {seen:?}", analysis.inflections);
+        assert!(seen.len() >= 2, "{law} is hollow");
+        for (found, (from, to)) in analysis.inflections.iter().zip(seen) {
+            assert!((from - 1e-9..=to + 1e-9).contains(found), "{law}: {found} is not in {from} to {to}");
+        }
+        let summary = &analysis.summary;
+        if summary.rho.max.is_finite() {
+            jumping += 1;
+            let rows = column(&analysis, Column::Rho);
+            assert!(rows.iter().all(|rho| (summary.rho.min - 1e-9..=summary.rho.max + 1e-9).contains(rho)), "{law}");
+            assert!(summary.rho.min <= summary.tightest_hollow.expect("a hollow").0, "{law}");
+        } else {
+            let bend = |theta: f64| cam.at(theta).1.bend;
+            for at in [summary.rho.min_at, summary.rho.max_at] {
+                assert!(bend(at).abs() < 1e-6, "{law}: the profile is not straight at {at}");
+            }
+        }
+    }
+    assert_eq!(jumping, 1);
+}

@@ -37,8 +37,9 @@ export function createFigures({ store, t, format }) {
     if (lift) list.push(["s", t("verdict.figure.lift", { value: format.quantity(lift.max, { trim: true, unit: units.s }) }), lift.max_at]);
     if (breadth) list.push(["breadth", t("verdict.figure.breadth", { value: constant(breadth, units.length) }), undefined]);
     if (mechanism.opening !== null) list.push(["opening", t("verdict.figure.opening", { value: format.number(mechanism.opening, { digits: 2, unit: "°" }) }), 0]);
-    if (contact && mechanism.contact === "flat" && contact.max !== null && contact.min !== null) {
-      list.push(["face", t("verdict.figure.face", { value: format.quantity(contact.max - contact.min, { trim: true, unit: units.length }) }), contact.max_at]);
+    if (contact && mechanism.face && mechanism.face_length !== null) {
+      const [value, near, far] = [mechanism.face_length, ...mechanism.face].map((part) => format.quantity(part, { trim: true, unit: units.length }));
+      list.push(["face", t(mechanism.pivot ? "verdict.figure.face.swing" : "verdict.figure.face", { value, near, far }), contact.max_at]);
     }
     return list;
   }

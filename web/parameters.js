@@ -88,9 +88,9 @@ export function createExplanation(root, { store, lab, t, format }) {
   }
 
   /** @param {Report} report */
-  function curvature({ summary, mechanism, least_convex: convex, tightest_hollow: hollow }) {
+  function curvature({ summary, mechanism, least_convex: convex, tightest_hollow: hollow, inflections }) {
     const roller = length(mechanism.roller_radius);
-    const values = { value: length(convex?.value), at: angle(convex?.at ?? 0), roller, hollow: length(-(hollow?.value ?? 0)), hollowAt: angle(hollow?.at ?? 0) };
+    const values = { value: length(convex?.value), at: angle(convex?.at ?? 0), roller, hollow: length(-(hollow?.value ?? 0)), hollowAt: angle(hollow?.at ?? 0), inflections: inflections.map(angle).join(", ") };
     const flat = mechanism.contact === "flat";
     if (!convex) return t("parameters.rho.hollow", values);
     if (convex.value <= 0) return t(flat ? "parameters.rho.flat.undercut" : "parameters.rho.undercut", values);

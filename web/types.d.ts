@@ -294,6 +294,8 @@ export interface Report {
   least_convex: { value: number; at: number } | null;
   /** The tightest hollow, as a negative ρ; null where nothing is hollow. */
   tightest_hollow: { value: number; at: number } | null;
+  /** θ of every inflection of the profile, where it passes from convex to hollow or back. */
+  inflections: number[];
   joints: { theta: number; segment: number; jump: "s" | "v" | "a" | "j" | null }[];
   borders: number[];
   /** The segments of a motion that is ready-made. */
@@ -319,6 +321,8 @@ export interface Report {
     face_offset: number;
     face_angle: number;
     face: [number, number] | null;
+    /** The minimum length of a flat face, from the foot of the pivot when it swings. */
+    face_length: number | null;
     reach: number;
     top: number;
   };

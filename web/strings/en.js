@@ -236,4 +236,5 @@ export const en = {
   "verdict.figure.breadth": "dc {value}, constant",
   "verdict.cam": "cam {number}: {text}",
   "verdict.figure.face": "face {value}",
+  "verdict.figure.face.swing": "face {value} from the foot (works from {near} to {far})",
 };

@@ -236,4 +236,5 @@ export const es = {
   "verdict.figure.breadth": "dc {value}, constante",
   "verdict.cam": "leva {number}: {text}",
   "verdict.figure.face": "cara {value}",
+  "verdict.figure.face.swing": "cara {value} desde el pie (trabaja de {near} a {far})",
 };

@@ -14,7 +14,7 @@ export const parametersEn = {
   "parameters.rho.convex":
     "This profile is convex all around: sharpest at {at}, with ρ = {value}, and flattest at {maxAt}, with ρ = {max}.",
   "parameters.rho.both":
-    "This profile is sharpest at {at}, with ρ = {value}. It is hollow as well, tightest at {hollowAt} with a radius of {hollow}, into which a radius of {roller} must fit; between both it is straight for an instant and ρ is infinite.",
+    "This profile is sharpest at {at}, with ρ = {value}. It is hollow as well, tightest at {hollowAt} with a radius of {hollow}, into which a radius of {roller} must fit; it passes from one to the other at {inflections}.",
   "parameters.rho.hollow":
     "This profile is convex nowhere; its tightest hollow, at {hollowAt}, has a radius of {hollow}.",
   "parameters.rho.undercut":
@@ -35,5 +35,5 @@ export const parametersEn = {
   "parameters.margin": "Margin at each end",
   "parameters.margin.negative": "A margin is not negative.",
   "parameters.face": "The face is at least {least} long: {left} to the left of the axis and {right} to the right.",
-  "parameters.face.swing": "The face is at least {least} long: it begins {near} from the pivot's foot and ends at {far}.",
+  "parameters.face.swing": "The face is at least {least} long from the pivot's foot; it works from {near} to {far}.",
 };

@@ -14,7 +14,7 @@ export const parametersEs = {
   "parameters.rho.convex":
     "Este perfil es convexo en toda la vuelta: lo más agudo está en {at}, con ρ = {value}, y lo más plano en {maxAt}, con ρ = {max}.",
   "parameters.rho.both":
-    "Lo más agudo de este perfil está en {at}, con ρ = {value}. También tiene zonas cóncavas, la más cerrada en {hollowAt}, con un radio de {hollow} en el que debe caber uno de {roller}; al pasar de unas a otras el perfil es recto por un instante y ρ es infinito.",
+    "Lo más agudo de este perfil está en {at}, con ρ = {value}. También tiene zonas cóncavas, la más cerrada en {hollowAt}, con un radio de {hollow} en el que debe caber uno de {roller}; pasa de unas a otras en {inflections}.",
   "parameters.rho.hollow":
     "Este perfil no es convexo en ningún punto; su concavidad más cerrada, en {hollowAt}, tiene un radio de {hollow}.",
   "parameters.rho.undercut":
@@ -35,5 +35,5 @@ export const parametersEs = {
   "parameters.margin": "Margen en cada extremo",
   "parameters.margin.negative": "Un margen no es negativo.",
   "parameters.face": "La cara mide al menos {least}: {left} a la izquierda del eje y {right} a la derecha.",
-  "parameters.face.swing": "La cara mide al menos {least}: empieza a {near} de ese pie y acaba a {far}.",
+  "parameters.face.swing": "La cara mide al menos {least} desde ese pie; trabaja de {near} a {far}.",
 };

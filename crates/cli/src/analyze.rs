@@ -13,6 +13,9 @@ use std::fmt::Write;
 struct Answer {
     verdict: ToldVerdict<Found>,
     summary: InOrder<report::Range>,
+    least_convex: Option<report::Place>,
+    tightest_hollow: Option<report::Place>,
+    inflections: Vec<f64>,
     columns: InOrder<Vec<f64>>,
     /// The second cam of a pair.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -88,7 +91,17 @@ fn answer(design: &Design, cam: &Cam, samples: usize, language: Language) -> Ans
     let findings = report.findings.iter().zip(cures).map(|(finding, cures)| found(design, finding, cures, language));
     let verdict = ToldVerdict::new(report.level, levalab_words::headline(language, &report), findings.collect());
     let columns = InOrder(report::columns(design, &analysis));
-    Answer { verdict, summary: InOrder(report.summary), columns, conjugate: None, application: None }
+    let Report { summary, least_convex, tightest_hollow, inflections, .. } = report;
+    Answer {
+        verdict,
+        summary: InOrder(summary),
+        least_convex,
+        tightest_hollow,
+        inflections,
+        columns,
+        conjugate: None,
+        application: None,
+    }
 }
 
 /// The columns, those of a second cam after those of the first, and those of an application last; what is not finite is `inf` or `-inf`.

@@ -188,7 +188,7 @@ fn crest([low, here, high]: [(f64, f64); 3], slope: impl Fn(f64) -> f64) -> Opti
 
 /// Greatest value of `f` between two places, by Brent's method started from a third one, given with its value. A start at one of the two that is
 /// higher than what lies beside it is the summit.
-fn summit(
+pub(crate) fn summit(
     (low, high): (f64, f64),
     (start, at_start): (f64, f64),
     tolerance: f64,

@@ -53,7 +53,7 @@ mod sizing;
 mod stretch;
 mod svaj;
 
-pub use analysis::{Analysis, Column, Summary};
+pub use analysis::{Analysis, Column, Face, Summary};
 pub use breadth::{Generator, MAX_SIDES, sharpest_base_radius};
 pub use cam::{Cam, Closure};
 pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, nearest_tie, working_ties, working_ties_in_parts};

@@ -6,6 +6,7 @@ use crate::table::Measure;
 use crate::words::Word;
 use levalab_core::{Analysis, Cam, Column};
 use levalab_format::report::Report;
+use levalab_words::Signs;
 
 /// Its rows. The verdict does not hang on the step, so none is asked for.
 pub(crate) fn verdict(subject: &Subject) -> Vec<Row> {
@@ -56,9 +57,35 @@ fn of_cam(subject: &Subject, cam: &Cam) -> Vec<Row> {
     }
     rows.push(Row::head([Word::Quantity, Word::Least, Word::At, Word::Greatest, Word::At].map(said)));
     rows.extend(report.summary.iter().filter_map(|(name, range)| {
+        // A ρ without bounds has no extremes; the rows of the curvature follow.
+        if range.min.is_infinite() && range.max.is_infinite() {
+            return None;
+        }
         let head = measure(name)?.head(subject);
         Some(Row::of([Cell::Text(head), range.min.into(), range.min_at.into(), range.max.into(), range.max_at.into()]))
     }));
+    rows.extend(curvature(subject, &report));
+    rows
+}
+
+/// Where the profile is hollow in part: the sharpest convex place, the tightest hollow, and where one passes into the other.
+fn curvature(subject: &Subject, report: &Report) -> Vec<Row> {
+    let Subject { design, language, .. } = *subject;
+    let mut rows = Vec::new();
+    if report.tightest_hollow.is_none() {
+        return rows;
+    }
+    let rho = Signs::of(design.notation).plain("ρ");
+    let unit = design.length_unit.symbol();
+    for (word, found) in [(Word::LeastConvex, report.least_convex), (Word::TightestHollow, report.tightest_hollow)] {
+        let head = format!("{} {rho} ({unit})", word.said(language));
+        rows.extend(found.map(|found| Row::of([Cell::Text(head), found.value.into(), found.at.into()])));
+    }
+    if !report.inflections.is_empty() {
+        let place = if subject.travels() { format!("x, {unit}") } else { "θ, °".to_owned() };
+        let head = Cell::Text(format!("{} ({place})", Word::Inflections.said(language)));
+        rows.push(Row::of([head].into_iter().chain(report.inflections.iter().map(|&theta| theta.into()))));
+    }
     rows
 }
 

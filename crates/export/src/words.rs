@@ -26,6 +26,9 @@ pub(crate) enum Word {
     Curvature,
     PitchCurvature,
     Contact,
+    LeastConvex,
+    TightestHollow,
+    Inflections,
     Profile,
     ProfileAngle,
     ProfileRadius,
@@ -91,6 +94,9 @@ impl Word {
                 ("Radius of curvature of the pitch curve", "Radio de curvatura de la curva de paso")
             }
             Self::Contact => ("Contact on the face", "Contacto sobre la cara"),
+            Self::LeastConvex => ("Minimum convex radius of curvature", "Radio de curvatura convexo mínimo"),
+            Self::TightestHollow => ("Tightest hollow", "Concavidad más cerrada"),
+            Self::Inflections => ("Inflections", "Inflexiones"),
             Self::Profile => ("Profile", "Perfil"),
             Self::ProfileAngle => ("Profile, polar angle", "Perfil, ángulo polar"),
             Self::ProfileRadius => ("Profile, radius", "Perfil, radio"),

@@ -22,7 +22,7 @@ pub struct Figures {
     pub steepest: f64,
     /// The least radius of curvature where the profile is convex; none when it is convex nowhere.
     pub least_radius: Option<f64>,
-    /// The stretch of the face that the contact walks along; none without a flat face.
+    /// The minimum length of a flat face, from the foot of the pivot when it swings; none without a flat face.
     pub face: Option<f64>,
 }
 
@@ -53,7 +53,7 @@ impl Figures {
             pressure_angle: angles,
             steepest: size(Column::PressureAngle),
             least_radius: analysis.summary.least_convex.map(|(radius, _)| radius).filter(|radius| radius.is_finite()),
-            face: report.range(Column::Contact).map(|range| range.max - range.min),
+            face: analysis.summary.face(cam, 0.0).map(|face| face.length),
         }
     }
 }
@@ -206,5 +206,21 @@ mod tests {
         // An eccentric circle: q = v = ±L/2 · sin θ.
         assert!((figures.face.expect("a face") - 20.0).abs() < 1e-9, "{figures:?}");
         assert!((figures.least_radius.expect("ρ") - 40.0).abs() < 1e-9, "{figures:?}");
+    }
+
+    #[test]
+    fn a_face_that_swings_is_as_long_as_from_the_foot_of_its_pivot() {
+        let design = example("4PO").expect("4PO");
+        let cam = design.cam().expect("a cam");
+        let analysis = Analysis::of(&cam, 1);
+        let face = analysis.summary.face(&cam, 0.0).expect("a face");
+        let near = |found: f64, expected: f64| assert!((found - expected).abs() < 0.01, "{found}, not {expected}");
+        near(face.from, 53.75);
+        near(face.to, 83.49);
+        near(face.length, 83.49);
+        assert_eq!(Figures::of(&design, &cam, &analysis).face, Some(face.length));
+        // Its contact lies where the contact of the motion says at each angle.
+        let greatest = (0..3600).map(|k| cam.at(f64::from(k).to_radians() / 10.0).1.reach).fold(0.0, f64::max);
+        near(greatest, face.length);
     }
 }

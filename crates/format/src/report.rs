@@ -16,6 +16,12 @@ pub struct Report {
     pub findings: Vec<DesignFinding>,
     /// Extremes by the name of their column; those that do not apply are absent.
     pub summary: Vec<(&'static str, Range)>,
+    /// The minimum of ρ where the profile is convex; none when it is convex nowhere.
+    pub least_convex: Option<Place>,
+    /// The tightest hollow, as a negative ρ; none when nothing is hollow.
+    pub tightest_hollow: Option<Place>,
+    /// θ of every inflection of the profile, degrees, in order: there it passes from convex to hollow or back.
+    pub inflections: Vec<f64>,
     /// Every joint between smooth pieces, those within laws as well.
     pub joints: Vec<DesignJoint>,
     /// θ of the borders of the segments, degrees, from 0 to 360: one more than there are segments.
@@ -24,7 +30,7 @@ pub struct Report {
 
 /// Where a quantity is least and greatest; θ in degrees.
 ///
-/// ρ has no bounds where the profile is straight for an instant; such a bound is infinite, and is written as nothing.
+/// ρ has no bounds where the profile is straight for an instant; such a bound is infinite, and is written as null, with the place where ρ is infinite.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Range {
     /// Least value.
@@ -37,6 +43,23 @@ pub struct Range {
     pub max: f64,
     /// Where it is.
     pub max_at: f64,
+}
+
+/// A finite value with its place.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Place {
+    /// The value, in the unit of the design.
+    pub value: f64,
+    /// θ, degrees (or length of travel).
+    pub at: f64,
+}
+
+impl Place {
+    fn of(design: &Design, found: Option<(f64, f64)>) -> Option<Self> {
+        found
+            .filter(|(value, _)| value.is_finite())
+            .map(|(value, at)| Self { value: value + 0.0, at: design.place(at) })
+    }
 }
 
 /// Something wrong with a cam, in the units of the design.
@@ -77,6 +100,9 @@ impl Report {
             level: analysis.level,
             findings: analysis.findings.iter().map(|finding| finding_of(design, finding)).collect(),
             summary: summary_of(design, analysis),
+            least_convex: Place::of(design, analysis.summary.least_convex),
+            tightest_hollow: Place::of(design, analysis.summary.tightest_hollow),
+            inflections: analysis.inflections.iter().map(|&theta| design.place(theta)).collect(),
             joints: analysis.joints.iter().map(|joint| joint_of(design, joint)).collect(),
             borders: borders_of(design, cam),
         }

@@ -198,3 +198,15 @@ fn figures_of_solved_problems_are_those_of_the_notes() {
     near(angle.min, -28.18, 0.01);
     near(angle.max, 24.68, 0.01);
 }
+
+#[test]
+fn the_curvature_of_a_cam_with_hollows_has_its_two_sharpest_places_and_its_inflections() {
+    let (_, _, nine) = report("9RT");
+    let (convex, hollow) = (nine.least_convex.expect("convex"), nine.tightest_hollow.expect("hollow"));
+    assert!((convex.value - 11.26).abs() < 0.005 && (hollow.value + 47.53).abs() < 0.005, "{convex:?} {hollow:?}");
+    // Two for each of the four hollows, and ρ has no bounds at the first of them.
+    assert_eq!(nine.inflections.len(), 8, "{:?}", nine.inflections);
+    let rho = nine.range(Column::Rho).expect("ρ");
+    assert!(rho.min.is_infinite() && rho.max.is_infinite());
+    assert!(nine.inflections.contains(&rho.min_at) && nine.inflections.contains(&rho.max_at), "{rho:?}");
+}

@@ -9,7 +9,7 @@ use crate::limit::nearest;
 use crate::number;
 use crate::segment::Part;
 use levalab_core::{Column, Svaj};
-use levalab_format::report::{Range, scale_of};
+use levalab_format::report::{Place, Range, Report, scale_of};
 use levalab_formula::Formula;
 
 /// Extremes of a derivative in a segment that are all told; of more, the greatest and the least.
@@ -164,6 +164,25 @@ pub fn write(board: &mut Board) {
     }
     board.table(two("Extremes of the whole cycle", "Extremos de todo el ciclo"), heads, rows);
     radius(board);
+    face(board);
+}
+
+/// The minimum length of a flat face.
+fn face(board: &mut Board) {
+    let Some(face) = board.subject.analysis.summary.face(board.cam(), 0.0) else { return };
+    let [from, to, long] = [face.from, face.to, face.length].map(|length| number::result(length) + &board.length());
+    let text = if board.swings() {
+        two(
+            "The face is at least ${long}$ long from the foot of the pivot: it works from ${from}$ to ${to}$.",
+            "La cara mide al menos ${long}$ desde el pie de la articulación: trabaja de ${from}$ a ${to}$.",
+        )
+    } else {
+        two(
+            "The face is at least ${long}$ long: from $q = {from}$ to $q = {to}$.",
+            "La cara mide al menos ${long}$: de $q = {from}$ a $q = {to}$.",
+        )
+    };
+    board.say(text, &[("long", &long), ("from", &from), ("to", &to)]);
 }
 
 /// How a magnitude is written in the table of extremes.
@@ -221,14 +240,13 @@ fn is_left_limit(board: &Board, column: Column, place: f64, extreme: f64) -> boo
     nearest(cam, theta, extreme, of).0 != cam.program.stretch_index(theta)
 }
 
-/// What the range of ρ cannot tell where the profile is partly hollow.
+/// The sharpest convex place and the tightest hollow, which the range of ρ does not give where the profile has both.
 fn radius(board: &mut Board) {
-    let summary = &board.subject.analysis.summary;
-    let (convex, hollow) = (summary.least_convex, summary.tightest_hollow);
-    let told =
-        |board: &Board, (value, at): (f64, f64)| (number::result(value) + &board.length(), board.solved_place(at));
-    if let Some(place) = convex.filter(|(value, _)| value.is_finite()) {
-        let (value, at) = told(board, place);
+    let Report { least_convex, tightest_hollow, inflections, .. } = board.subject.report;
+    let written =
+        |board: &Board, found: &Place| (number::result(found.value) + &board.length(), placed(board, found.at));
+    if let Some(found) = least_convex {
+        let (value, at) = written(board, found);
         board.say(
             two(
                 "Where the profile is convex its least radius is $ρ = {value}$, at $θ = {at}$.",
@@ -237,14 +255,25 @@ fn radius(board: &mut Board) {
             &[("value", &value), ("at", &at)],
         );
     }
-    if let Some(place) = hollow.filter(|(value, _)| value.is_finite()) {
-        let (value, at) = told(board, place);
+    if let Some(found) = tightest_hollow {
+        let (value, at) = written(board, found);
         board.say(
             two(
-                "It is hollow too (there $ρ$ passes from $∞$ to $-∞$); the tightest hollow has $ρ = {value}$, at $θ = {at}$.",
-                "También es cóncavo (allí $ρ$ pasa de $∞$ a $-∞$); la concavidad más cerrada tiene $ρ = {value}$, en $θ = {at}$.",
+                "It is hollow too; the tightest hollow has $ρ = {value}$, at $θ = {at}$.",
+                "También es cóncavo; la concavidad más cerrada tiene $ρ = {value}$, en $θ = {at}$.",
             ),
             &[("value", &value), ("at", &at)],
         );
     }
+    if inflections.is_empty() {
+        return;
+    }
+    let places: Vec<String> = inflections.iter().map(|&at| format!("${}$", placed(board, at))).collect();
+    board.say(
+        two(
+            "It passes from convex to hollow or back, with $ρ → ±∞$ unless the curvature jumps, at $θ$ = {places}.",
+            "Pasa de convexo a cóncavo o al revés, con $ρ → ±∞$ salvo donde la curvatura salta, en $θ$ = {places}.",
+        ),
+        &[("places", &places.join(", "))],
+    );
 }

@@ -27,10 +27,7 @@ impl Lab {
     /// The face that the contact needs with a margin at each end: from the axis (of a swinging face: from the foot of the pivot) to its
     /// left and its right end, and its length. Empty without a face.
     pub fn face(&self, margin: f64, second: Option<bool>) -> Vec<f64> {
-        let reach = self.drawn(second).ok().and_then(|current| current.analysis.summary.reach);
-        reach.map_or_else(Vec::new, |reach| {
-            let (left, right) = (reach.min - margin, reach.max + margin);
-            vec![left, right, right - left]
-        })
+        let face = self.drawn(second).ok().and_then(|current| current.analysis.summary.face(&current.cam, margin));
+        face.map_or_else(Vec::new, |face| vec![face.from, face.to, face.length])
     }
 }

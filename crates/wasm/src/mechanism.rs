@@ -20,6 +20,7 @@ pub struct Mechanism {
     face_offset: f64,
     face_angle: f64,
     face: Option<[f64; 2]>,
+    face_length: Option<f64>,
     reach: f64,
     top: f64,
 }
@@ -48,6 +49,7 @@ impl Mechanism {
             face_offset: value("face_offset").unwrap_or(0.0),
             face_angle: value("face_angle").unwrap_or(0.0).to_degrees(),
             face: analysis.summary.reach.map(|reach| [reach.min, reach.max]),
+            face_length: analysis.summary.face(cam, 0.0).map(|face| face.length),
             reach: reach(cam, analysis),
             top: top(follower, &analysis.summary.s),
         }

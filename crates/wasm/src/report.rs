@@ -3,8 +3,8 @@
 use crate::lab::Current;
 use crate::mechanism::Mechanism;
 use levalab_core::{Cam, Column, Segment, angle_between};
-use levalab_format::report::{Range, degrees, scale_of};
-use levalab_format::{Design, DesignCure, Notation, ToldCure, ToldFinding, ToldVerdict, link};
+use levalab_format::report::{Place, Range, degrees, scale_of};
+use levalab_format::{DesignCure, Notation, ToldCure, ToldFinding, ToldVerdict, link};
 use levalab_words::{Language, Signs};
 use serde::{Serialize, Serializer};
 
@@ -23,6 +23,7 @@ pub struct PageReport {
     summary: Vec<(&'static str, Range)>,
     least_convex: Option<Place>,
     tightest_hollow: Option<Place>,
+    inflections: Vec<f64>,
     joints: Vec<PageJoint>,
     borders: Vec<f64>,
     /// The segments of a motion that is ready-made.
@@ -55,13 +56,6 @@ struct PageSegment {
     law: &'static str,
     beta: f64,
     rise: f64,
-}
-
-/// A value and where it is.
-#[derive(Serialize)]
-struct Place {
-    value: f64,
-    at: f64,
 }
 
 #[derive(Serialize)]
@@ -117,8 +111,9 @@ impl PageReport {
             travels: design.kind.travel().is_some(),
             verdict,
             summary: summary(current),
-            least_convex: Place::of(analysis.summary.least_convex, design),
-            tightest_hollow: Place::of(analysis.summary.tightest_hollow, design),
+            least_convex: report.least_convex,
+            tightest_hollow: report.tightest_hollow,
+            inflections: report.inflections.clone(),
             joints: report
                 .joints
                 .iter()
@@ -143,12 +138,6 @@ impl PageReport {
             conjugate: None,
             pair_angle: None,
         }
-    }
-}
-
-impl Place {
-    fn of(found: Option<(f64, f64)>, design: &Design) -> Option<Self> {
-        found.filter(|(value, _)| value.is_finite()).map(|(value, at)| Self { value, at: design.place(at) })
     }
 }
 

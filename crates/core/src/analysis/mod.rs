@@ -1,16 +1,18 @@
 //! Everything there is to say about a cam.
 
 mod column;
+mod hollow;
 mod judgement;
 mod summary;
 
 pub use column::Column;
 pub(crate) use judgement::finding;
-pub use summary::Summary;
+pub use summary::{Face, Summary};
 
 use crate::samples::Samples;
 use crate::{Cam, Finding, Joint, Level};
 use column::tabulate;
+use hollow::inflections;
 use judgement::judge;
 use summary::summarise;
 
@@ -19,6 +21,8 @@ use summary::summarise;
 pub struct Analysis {
     /// Extremes over the turn.
     pub summary: Summary,
+    /// θ of every inflection of the profile, where it passes from convex to hollow or back, in order; none under a flat face, which needs ρ > 0.
+    pub inflections: Vec<f64>,
     /// Every joint, the one at θ = 0 first.
     pub joints: Vec<Joint>,
     /// What is wrong, the worst kinds first.
@@ -37,11 +41,19 @@ impl Analysis {
     pub fn of(cam: &Cam, steps: usize) -> Self {
         let steps = steps.max(1);
         let samples = Samples::of(cam, steps);
-        let summary = summarise(cam, &samples);
+        let inflections = inflections(cam, &samples);
+        let summary = summarise(cam, &samples, &inflections);
         let joints = cam.program.classified_joints();
         let findings = judge(cam, &samples, &summary, &joints);
         let level = findings.iter().map(|finding| finding.level).max().unwrap_or(Level::Acceptable);
-        Self { columns: tabulate(cam, &samples, steps), summary, joints, findings, level }
+        Self {
+            columns: tabulate(cam, &samples, steps),
+            summary,
+            inflections: inflections.places,
+            joints,
+            findings,
+            level,
+        }
     }
 
     /// A column, or nothing when it does not apply to this follower.

@@ -1,8 +1,9 @@
 //! Extremes of every quantity over the cycle.
 
+use super::hollow::{Inflections, flattest};
 use crate::extreme::extremes;
 use crate::samples::{Quantity, Samples};
-use crate::{Cam, Closure, Extremes};
+use crate::{Body, Cam, Closure, Extremes};
 use std::f64::consts::PI;
 
 /// Extremes over the cycle, refined between stations. Angles in radians.
@@ -18,7 +19,8 @@ pub struct Summary {
     pub j: Extremes,
     /// φ, radians.
     pub pressure_angle: Extremes,
-    /// ρ of the profile. Where the profile is partly hollow, ρ runs off to ±∞ where it straightens, and these are infinite.
+    /// ρ of the profile. Where the profile is convex in part and hollow in part, ρ has no bounds: these are infinite, and both places are the first
+    /// one where it is straight. Of a profile that turns hollow by jumps of its curvature alone, the flattest hollow and the flattest convex place.
     pub rho: Extremes,
     /// ρp of the pitch curve; none for a flat face.
     pub rho_pitch: Option<Extremes>,
@@ -32,12 +34,42 @@ pub struct Summary {
     pub breadth: Option<Extremes>,
 }
 
-pub(super) fn summarise(cam: &Cam, samples: &Samples) -> Summary {
+/// The part of a flat face that the contact uses, and the minimum length of a face that has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    /// Where the contact begins to work: from the axis of the follower, or from the foot of the perpendicular from the pivot.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// The minimum length. A face that slides is as long as the part in use; one that swings begins at the foot, where its arm carries it.
+    pub length: f64,
+}
+
+impl Summary {
+    /// The face that this motion needs under a follower with these dimensions, with a margin at each end of the part in use; none without a flat face.
+    #[must_use]
+    pub fn face(&self, cam: &Cam, margin: f64) -> Option<Face> {
+        let reach = self.reach?;
+        let (from, to) = (reach.min - margin, reach.max + margin);
+        let length = match cam.follower.body {
+            Body::Slide => to - from,
+            Body::Swing { .. } => to.max(0.0) - from.min(0.0),
+        };
+        Some(Face { from, to, length })
+    }
+}
+
+pub(super) fn summarise(cam: &Cam, samples: &Samples, inflections: &Inflections) -> Summary {
     let of = |quantity: Quantity| extremes(cam, samples, quantity);
     let bend = of(Quantity::Bend);
     let flat = cam.follower.is_flat();
     let radius = cam.follower.disc_radius();
-    let (rho, rho_pitch) = if flat { (bend, None) } else { (radii(&bend, radius), Some(radii(&bend, 0.0))) };
+    let radii = |radius: f64| match (bend.min < 0.0 && bend.max > 0.0, inflections.straight) {
+        (true, Some(at)) => Extremes { min: f64::NEG_INFINITY, min_at: at, max: f64::INFINITY, max_at: at },
+        (true, None) => flattest(cam, samples, radius),
+        _ => radii(&bend, radius),
+    };
+    let (rho, rho_pitch) = if flat { (bend, None) } else { (radii(radius), Some(radii(0.0))) };
     let least = (cam.follower.profile_radius(bend.max), bend.max_at);
     Summary {
         s: of(Quantity::S),
@@ -73,12 +105,9 @@ fn measured_breadth(cam: &Cam, samples: &Samples) -> Extremes {
     found
 }
 
-/// Extremes of 1/κ − `radius` from those of κ: monotone while κ keeps its sign, unbounded when it does not.
+/// Extremes of 1/κ − `radius` from the extremes of κ, which keeps its sign, so that it is monotone.
 fn radii(curvature: &Extremes, radius: f64) -> Extremes {
     let Extremes { min, min_at, max, max_at } = *curvature;
-    if min < 0.0 && max > 0.0 {
-        return Extremes { min: f64::NEG_INFINITY, min_at, max: f64::INFINITY, max_at };
-    }
     // Hollow all along and straight somewhere: ρ comes from −∞.
     let max = if max == 0.0 && min < 0.0 { -0.0 } else { max };
     Extremes { min: 1.0 / max - radius, min_at: max_at, max: 1.0 / min - radius, max_at: min_at }
