@@ -4,7 +4,7 @@ mod support;
 
 use levalab_core::{
     Analysis, Body, Cam, Closure, Column, Cycle, Element, Generator, Level, Point, Program, Rotation, Segment, Tie,
-    angle_between, balanced_tie, conjugate, working_ties,
+    angle_between, balanced_tie, conjugate, profiles_coincide, working_ties,
 };
 use std::f64::consts::{PI, TAU};
 use support::{degrees, follower, lengths};
@@ -162,6 +162,14 @@ fn example_7crt_has_its_conjugate_at_380() {
     // On the axis the second roller's centre is 380 − (Rp + s) away from the shaft.
     assert!((second.follower.base_radius - (380.0 - 180.0 - 20.0 - 10.0)).abs() < 1e-12);
     assert_pair_fits("7CRT", &first, &second);
+    // Half a turn later every rise is a return, and both base radii are 170: one cam would do.
+    assert!(profiles_coincide(&first, &second));
+    let wider =
+        cam("translating-roller", 150.0, &[("roller_radius", 10.0)], first.program.clone(), Rotation::CounterClockwise);
+    assert!(!profiles_coincide(&wider, &conjugate(&wider, Tie::Distance(380.0), None).expect("a pair")));
+    // A part of a millimetre is seen.
+    let almost = conjugate(&first, Tie::Distance(380.02), None).expect("a pair");
+    assert!(!profiles_coincide(&first, &almost));
 }
 
 #[test]

@@ -331,6 +331,8 @@ export interface Report {
   conjugate: Report | null;
   /** Angle between the arms of a pair that swings, degrees. */
   pair_angle: number | null;
+  /** Both profiles of a pair are one, in a sentence. */
+  pair_note?: string;
   /** Symbols other than ours, by ours, and the sign with which an eccentricity is told. */
   notation?: { symbols: Record<string, string>; eccentricity: number };
 }

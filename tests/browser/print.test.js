@@ -42,7 +42,7 @@ const CASES = [
 ];
 
 const MORE = {
-  R6: "1.Example_R6.R2_1uiw12.566op_30_.75p0p56.88_110.27p123.84_79.35p198.72_106.71p256.32N256.32s0v0a0s56.88_1.177s123.84_.847s198.72_1.139s256.32v256.32a256.32D103.68.0WiuYM",
+  R6: "1.Example_R6.R2_1uiw12.566op_30_.75p0p56.88_110.282p123.84_79.338p198.72_106.667p256.32N256.32s0v0a0s56.88_1.177168358s123.84_.84686697s198.72_1.138581249s256.32v256.32a256.32D103.68.0yVAoK",
   pair: "1.7CRT.R170_10kd380_10S36_20S36-20S36_20S36-20S36_20S36-20S36_20S36-20S36_20S36-20.11DfvS",
   wedge: "1.Wedge.R0_8w50t150C60_20D30C60-12.197YKJ",
   breadth: "1.harmonic_flat.F40b100h.4ThtCJ",
@@ -51,7 +51,7 @@ const MORE = {
 
 /** Those that need more room, or other words: what they must say, and how many drawings they have. @type {[keyof typeof MORE, typeof en, string, string, RegExp[], number][]} */
 const FULL = [
-  ["R6", es, "es-ES", "5", [/Fuerza de un pistón sobre fluido encerrado/, /Rigidez K = 93,68\slbf\/in/, /fuerza \(lbf\): de 0\slbf/, /110,27110,266−0,003772/], 9],
+  ["R6", es, "es-ES", "5", [/Fuerza de un pistón sobre fluido encerrado/, /Rigidez K = 93,68\slbf\/in/, /fuerza \(lbf\): de 0\slbf/, /110,282110,282/], 9],
   ["pair", en, "en-GB", "5", [/Cam 1Cam 2/, /s₂ displacement \(mm\)/, /ρ₂ radius of curvature/, /s₂ \(mm\)φ₂ \(°\)ρ₂ \(mm\)x₂ \(mm\)/], 13],
   ["wedge", es, "es-ES", "10", [/LevaTraslación \(cuña\)/, /Velocidad50\smm\/sφ/, /perfilx \(mm\)s \(mm\)/, /v velocidad(?! \()/, /sobreaceleración \(1\/mm²\)/], 7],
   ["breadth", en, "en-GB", "10", [/1Simple harmonic0°120°20/, /4Dwell300°60°/], 7],

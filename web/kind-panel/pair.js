@@ -155,11 +155,12 @@ export function createPairPanel(context, opener) {
     hide(problem, !orphan);
     write(problem, orphan ? wrong.message : "");
     advise(wrong !== null, tie);
-    const { pair_angle: angle, conjugate } = store.state.report;
+    const { pair_angle: angle, pair_note: note, conjugate } = store.state.report;
     const told = [];
     if (!error && conjugate) {
       if (tie !== "base_radius") told.push(t("pair.told.radius", { value: format.quantity(conjugate.mechanism.base_radius, { trim: true, unit: design.length_unit }) }));
       if (tie === "base_radius" && angle !== null) told.push(t("pair.told.angle", { value: format.number(rounded(angle), { unit: "°" }) }));
+      if (note) told.push(note);
     }
     write(hint, told.join(" "));
   }

@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, shown};
 use crate::{input, output};
-use levalab_core::{Analysis, Cam, Level};
+use levalab_core::{Analysis, Cam, Level, profiles_coincide};
 use levalab_format::Design;
 use levalab_format::report::Report;
 use levalab_words::Language;
@@ -43,8 +43,16 @@ fn code_of(level: Level) -> u8 {
 fn judge(file: &str, language: Language) -> Result<(Level, String), Failure> {
     let (design, cams) = input::design_and_cams(file, language)?;
     let (level, text) = verdict(&design, &cams.first, language);
-    let (level, text) = match cams.second.map(|second| verdict(&design, &second, language)) {
-        Some((second, more)) => (level.max(second), format!("{text}{}: {more}", levalab_words::second_cam(language))),
+    let (level, text) = match &cams.second {
+        Some(second) => {
+            let (worse, more) = verdict(&design, second, language);
+            let one = if profiles_coincide(&cams.first, second) {
+                levalab_words::profiles_coincide(language).to_owned() + "\n"
+            } else {
+                String::new()
+            };
+            (level.max(worse), format!("{text}{}: {more}{one}", levalab_words::second_cam(language)))
+        }
         None => (level, text),
     };
     Ok((level, text + &application(&design, &cams.first, language)))

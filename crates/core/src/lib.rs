@@ -56,7 +56,9 @@ mod svaj;
 pub use analysis::{Analysis, Column, Face, Summary};
 pub use breadth::{Generator, MAX_SIDES, sharpest_base_radius};
 pub use cam::{Cam, Closure};
-pub use conjugate::{Tie, angle_between, balanced_tie, conjugate, nearest_tie, working_ties, working_ties_in_parts};
+pub use conjugate::{
+    Tie, angle_between, balanced_tie, conjugate, nearest_tie, profiles_coincide, working_ties, working_ties_in_parts,
+};
 pub use cure::{Cure, Instead, believable_sizes, prescribe, prescribe_in_parts};
 pub use curve::{Curve, MAX_COEFFICIENTS, Wave};
 pub use cycle::Cycle;

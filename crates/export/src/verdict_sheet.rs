@@ -4,7 +4,7 @@ use crate::Subject;
 use crate::sheets::{Cell, Row};
 use crate::table::Measure;
 use crate::words::Word;
-use levalab_core::{Analysis, Cam, Column};
+use levalab_core::{Analysis, Cam, Column, profiles_coincide};
 use levalab_format::report::Report;
 use levalab_words::Signs;
 
@@ -14,6 +14,9 @@ pub(crate) fn verdict(subject: &Subject) -> Vec<Row> {
     for (k, cam) in subject.cams().enumerate() {
         if k > 0 {
             rows.extend([Row::gap(), Row::head([levalab_words::second_cam(subject.language).to_owned()])]);
+            if profiles_coincide(subject.cam, cam) {
+                rows.push(Row::of([levalab_words::profiles_coincide(subject.language).into()]));
+            }
         }
         rows.extend(of_cam(subject, cam));
     }

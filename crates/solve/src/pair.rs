@@ -6,7 +6,7 @@ use crate::number;
 use crate::substitute::substituted;
 use crate::substitution::{Place, contact_of};
 use crate::{extremes, verdict};
-use levalab_core::{Body, Cam, Element, angle_between};
+use levalab_core::{Body, Cam, Element, angle_between, profiles_coincide};
 use levalab_format::Design;
 
 pub fn write(board: &mut Board, first: &Cam, place: &Place) {
@@ -19,6 +19,10 @@ pub fn write(board: &mut Board, first: &Cam, place: &Place) {
         &[],
     );
     size(board, first);
+    if profiles_coincide(first, board.cam()) {
+        let note = levalab_words::profiles_coincide(board.language);
+        board.say(two(note, note), &[]);
+    }
     board.say(
         two(
             "All that follows is of its own $s$, from its own base circle.",

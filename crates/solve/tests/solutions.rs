@@ -64,20 +64,20 @@ fn r6_finds_its_six_coefficients_and_its_extremes() {
         "R6",
         &text,
         &[
-            "c_{3} = 612.67",
-            "c_{4} = -4057.05",
-            "c_{5} = 10696.41",
-            "c_{6} = -13873.63",
-            "c_{7} = 8822.87",
-            "c_{8} = -2201.28",
-            "1.34668\\,\\mathrm{in}",
+            "c_{3} = 612.72",
+            "c_{4} = -4057.26",
+            "c_{5} = 10696.57",
+            "c_{6} = -13873.37",
+            "c_{7} = 8822.47",
+            "c_{8} = -2201.13",
+            "1.34689\\,\\mathrm{in}",
             "74.39^\\circ",
-            "22.547\\,\\mathrm{in/s}",
-            "-21.578\\,\\mathrm{in/s}",
-            "685.45\\,\\mathrm{in/s^2}",
-            "-594.11\\,\\mathrm{in/s^2}",
+            "22.55\\,\\mathrm{in/s}",
+            "-21.571\\,\\mathrm{in/s}",
+            "685.53\\,\\mathrm{in/s^2}",
+            "-594.22\\,\\mathrm{in/s^2}",
             "26.57^\\circ",
-            "-25.75^\\circ",
+            "-25.74^\\circ",
         ],
     );
 }
@@ -92,15 +92,15 @@ fn r6_tells_the_force_on_the_heel_and_the_error_at_each_measured_point() {
             "What the follower drives: force of a piston on enclosed fluid",
             "A_{\\mathrm{p}} = \\pi r^{2} = \\pi \\cdot 0.75^{2} = 1.7671\\,\\mathrm{in^2}",
             "K = k_{\\mathrm{V}} A_{\\mathrm{p}}^{2} = 30 \\cdot 1.76715^{2} = 93.684\\,\\mathrm{lbf/in}",
-            "126.163\\,\\mathrm{lbf}",
+            "126.183\\,\\mathrm{lbf}",
             "*Points to hit*",
-            "| $56.88^\\circ$ | $0.079002$ | $110.27$ | $110.266$ |",
+            "| $56.88^\\circ$ | $0.079002$ | $110.282$ | $110.282$ |",
         ],
     );
     holds(
         "R6",
         &solution("R6", &request(Language::Es)),
-        &["Lo que mueve el seguidor", "Puntos que alcanzar", "126{,}163"],
+        &["Lo que mueve el seguidor", "Puntos que alcanzar", "126{,}183"],
     );
 }
 

@@ -2,7 +2,7 @@
 
 use crate::lab::Current;
 use crate::mechanism::Mechanism;
-use levalab_core::{Cam, Column, Segment, angle_between};
+use levalab_core::{Cam, Column, Segment, angle_between, profiles_coincide};
 use levalab_format::report::{Place, Range, degrees, scale_of};
 use levalab_format::{DesignCure, Notation, ToldCure, ToldFinding, ToldVerdict, link};
 use levalab_words::{Language, Signs};
@@ -41,6 +41,9 @@ pub struct PageReport {
     conjugate: Option<Box<PageReport>>,
     /// Angle between the arms of a pair that swings, degrees.
     pair_angle: Option<f64>,
+    /// The two profiles of a pair are one, in a sentence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pair_note: Option<&'static str>,
 }
 
 /// The symbols of a notation by ours, and the sign with which it tells an eccentricity.
@@ -97,6 +100,7 @@ impl PageReport {
         Self {
             conjugate: Some(Box::new(Self::of_one(second, String::new(), verdict(second, 2)))),
             pair_angle: angle_between(&first.cam, &second.cam).map(f64::to_degrees),
+            pair_note: profiles_coincide(&first.cam, &second.cam).then(|| levalab_words::profiles_coincide(language)),
             ..Self::of_one(first, link, both)
         }
     }
@@ -137,6 +141,7 @@ impl PageReport {
             }),
             conjugate: None,
             pair_angle: None,
+            pair_note: None,
         }
     }
 }

@@ -147,6 +147,16 @@ pub fn second_cam(language: Language) -> &'static str {
     language.voice().second_cam()
 }
 
+/// A note on a pair whose two profiles are one.
+#[must_use]
+pub fn profiles_coincide(language: Language) -> &'static str {
+    two(
+        "Both profiles coincide: a single cam with two elements does what the pair does.",
+        "Los dos perfiles coinciden: una sola leva con dos elementos hace lo mismo que el par.",
+    )
+    .within(language)
+}
+
 /// The verdict in a word or two, as in a table.
 #[must_use]
 pub fn level(language: Language, level: Level) -> &'static str {

@@ -1,8 +1,10 @@
 //! Conjugate cams: a second element, fixed to the same follower across the shaft, that rides a second cam.
 
 mod across;
+mod coincide;
 mod search;
 
+pub use coincide::profiles_coincide;
 pub use search::{nearest_tie, working_ties, working_ties_in_parts};
 
 use crate::follower::positive;
