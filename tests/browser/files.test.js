@@ -96,7 +96,7 @@ test("a file that is wrong is refused with the place of what is wrong", async (t
 });
 
 test("a file with a byte-order mark opens like one without", async (t) => {
-  const { page } = await openStill(t, { fragment: LINKS.R1 });
+  const { page } = await openPage(t, { fragment: LINKS.R1 });
   await openFile(page, `\ufeff${NINE}`);
   await becomes(() => fragment(page), LINKS["9RT"]);
 });
