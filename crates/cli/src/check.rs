@@ -6,29 +6,88 @@ use levalab_core::{Analysis, Cam, Level, profiles_coincide};
 use levalab_format::Design;
 use levalab_format::report::Report;
 use levalab_words::Language;
+use std::num::NonZero;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{self, Receiver};
+use std::thread;
 
-/// Writes the verdict on each file; the exit code is the worst of them all. A file that cannot be judged is told and the rest are
-/// judged all the same.
+/// Writes the verdict on each file, in the order of the files; the exit code is the worst of them all. A file that cannot be judged is
+/// told and the rest are judged all the same.
+///
+/// Files are judged on all cores, by plain threads that take the next one as they are ready: verdicts share nothing, so a pool with
+/// queues of its own would add nothing but a dependency.
 pub fn run(files: &[String], language: Language) -> Result<ExitCode, Failure> {
-    let several = files.len() > 1;
-    let mut worst = 0;
-    for file in files {
-        let code = match judge(file, language) {
-            Ok((level, verdict)) => {
-                let name = if several { format!("{}: ", shown(file)) } else { String::new() };
-                output::write(&format!("{name}{verdict}"), language)?;
-                code_of(level)
-            }
-            Err(failure) => {
-                let failure = if several { failure.of(file) } else { failure };
-                failure.tell();
-                failure.code()
-            }
-        };
-        worst = worst.max(code);
+    let next = AtomicUsize::new(0);
+    let (judged, verdicts) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..workers(files.len()) {
+            let judged = judged.clone();
+            let work = || {
+                let judged = judged;
+                while let Some((place, file)) = take(&next, files) {
+                    // Nobody listens any more when the output cannot be written.
+                    if judged.send((place, judge(file, language))).is_err() {
+                        return;
+                    }
+                }
+            };
+            // Where the system gives no thread more, those that there are do the work.
+            let _ = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work);
+        }
+        drop(judged);
+        tell(files, verdicts, language)
+    })
+}
+
+/// Bytes of stack for each thread: as many as the main thread has on most systems.
+const STACK: usize = 8 << 20;
+
+/// As many threads as there are cores, and no more than files.
+fn workers(files: usize) -> usize {
+    thread::available_parallelism().map_or(1, NonZero::get).min(files)
+}
+
+/// The next file that nobody has taken, with its place in the row.
+fn take<'a>(next: &AtomicUsize, files: &'a [String]) -> Option<(usize, &'a String)> {
+    let place = next.fetch_add(1, Ordering::Relaxed);
+    files.get(place).map(|file| (place, file))
+}
+
+/// A verdict, or why there is none.
+type Judged = Result<(Level, String), Failure>;
+
+/// Writes each verdict as soon as those before it are written.
+fn tell(files: &[String], verdicts: Receiver<(usize, Judged)>, language: Language) -> Result<ExitCode, Failure> {
+    let mut waiting: Vec<Option<Judged>> = files.iter().map(|_| None).collect();
+    let (mut written, mut worst) = (0, 0);
+    for (place, verdict) in verdicts {
+        waiting[place] = Some(verdict);
+        while let Some(verdict) = waiting.get_mut(written).and_then(Option::take) {
+            worst = worst.max(write(files, written, verdict, language)?);
+            written += 1;
+        }
+    }
+    // A system that gave no thread at all leaves the work here.
+    for place in written..files.len() {
+        worst = worst.max(write(files, place, judge(&files[place], language), language)?);
     }
     Ok(ExitCode::from(worst))
+}
+
+/// Writes one verdict, or why there is none, and gives the exit code that it stands for.
+fn write(files: &[String], place: usize, verdict: Judged, language: Language) -> Result<u8, Failure> {
+    match verdict {
+        Ok((level, verdict)) => {
+            let name = if files.len() > 1 { format!("{}: ", shown(&files[place])) } else { String::new() };
+            output::write(&format!("{name}{verdict}"), language)?;
+            Ok(code_of(level))
+        }
+        Err(failure) => {
+            failure.tell();
+            Ok(failure.code())
+        }
+    }
 }
 
 fn code_of(level: Level) -> u8 {
@@ -40,7 +99,7 @@ fn code_of(level: Level) -> u8 {
 }
 
 /// The verdict on a design: the worse of its cams, and what is said of each.
-fn judge(file: &str, language: Language) -> Result<(Level, String), Failure> {
+fn judge(file: &str, language: Language) -> Judged {
     let (design, cams) = input::design_and_cams(file, language)?;
     let (level, text) = verdict(&design, &cams.first, language);
     let (level, text) = match &cams.second {

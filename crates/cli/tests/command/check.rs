@@ -25,3 +25,22 @@ fn check_speaks_both_languages() {
         told("es")
     );
 }
+
+#[test]
+fn many_files_are_told_in_their_order() {
+    let files: Vec<String> =
+        ["R5", "2RO", "9RT", "absent", "10EX", "R1", "4PO"].iter().cycle().take(21).map(|name| file_of(name)).collect();
+    let arguments: Vec<&str> = ["check"].into_iter().chain(files.iter().map(String::as_str)).collect();
+    let several = levalab(&arguments);
+    let told = text(&several.stdout);
+    let names: Vec<&str> =
+        told.lines().filter_map(|line| line.split_once(".lev.json: ")).map(|(name, _)| name).collect();
+    let expected: Vec<&str> = files
+        .iter()
+        .filter(|file| !file.contains("absent"))
+        .filter_map(|file| file.strip_suffix(".lev.json"))
+        .collect();
+    assert_eq!(names, expected);
+    assert_eq!(text(&several.stderr).lines().count(), 3);
+    assert_eq!(several.status.code(), Some(66));
+}
