@@ -31,8 +31,7 @@ const GAP: &str = "  ";
 pub fn designs(files: &[String], language: Language) -> Result<String, Failure> {
     let mut rows = Vec::new();
     for file in files {
-        let of_file = |failure: Failure| if files.len() > 1 { failure.of(file) } else { failure };
-        let (design, cams) = input::design_and_cams(file, language).map_err(of_file)?;
+        let (design, cams) = input::design_and_cams(file, language)?;
         if rows.is_empty() {
             rows.push(heads(["", "R_b"], &design));
         }

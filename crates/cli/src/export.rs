@@ -1,12 +1,13 @@
 //! `levalab export`: a cam as a file for another program.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, shown};
 use crate::{input, output};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
-use levalab_export::{DiagramChoice, Format, Keyway, Order, Separator, Subject, Table};
+use levalab_export::{DiagramChoice, Format, Keyway, Order, Refusal, Separator, Subject, Table};
 use levalab_words::Language;
 use std::fs;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(Args)]
@@ -20,7 +21,7 @@ pub struct Options {
     #[arg(short, long)]
     output: String,
     /// Degrees between rows of a table (1 unless told otherwise) or points of a curve (0.5).
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     step: Option<f64>,
     /// CSV: which table.
     #[arg(long, default_value = Table::Everything.name(), value_parser = PossibleValuesParser::new(Table::ALL.map(Table::name)))]
@@ -35,16 +36,16 @@ pub struct Options {
     #[arg(long)]
     per_second: bool,
     /// PNG: width in pixels.
-    #[arg(long, default_value_t = 1600, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, default_value_t = 1600, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     width: u32,
     /// STL: thickness of the cam, in the unit of the design; a third of the base radius (a sixth of the length of a cam that travels) unless told otherwise.
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     thickness: Option<f64>,
     /// STL, DXF, SVG, PNG: diameter of the hole for the shaft.
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     bore: Option<f64>,
     /// Keyway in the wall of the bore, width x depth, such as 8x3.3.
-    #[arg(long, requires = "bore", value_parser = keyway)]
+    #[arg(long, requires = "bore", allow_hyphen_values = true, value_parser = keyway)]
     keyway: Option<(f64, f64)>,
 }
 
@@ -76,13 +77,35 @@ enum Parting {
 pub fn run(options: &Options, language: Language) -> Result<ExitCode, Failure> {
     let (design, cams) = input::design_and_cams(&options.file, language)?;
     let subject = Subject { design: &design, cam: &cams.first, second: cams.second.as_ref(), language };
-    let bytes = options.order().make(&subject).map_err(|refusal| Failure::export(&refusal, language))?;
+    if options.output != "-" && is_same_file(&options.file, &options.output) {
+        let said = match language {
+            Language::En => "It is the design file itself, which would be lost.",
+            Language::Es => "Es el propio archivo de diseño, que se perdería.",
+        };
+        return Err(Failure::usage(format!("--output: {}: {said}", shown(&options.output))));
+    }
+    let refused = |refusal: Refusal| Failure::export(&refusal, &options.file, language);
+    let bytes = options.order().make(&subject).map_err(refused)?;
     if options.output == "-" {
         output::write_bytes(&bytes, language)?;
     } else {
         fs::write(&options.output, bytes).map_err(|_| Failure::unwritable(&options.output, language))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// True when two names lead to one file, by whatever links.
+fn is_same_file(one: &str, other: &str) -> bool {
+    let (Ok(one), Ok(other)) = (fs::canonicalize(one), fs::canonicalize(other)) else { return false };
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let place = |path: &PathBuf| fs::metadata(path).map(|data| (data.dev(), data.ino())).ok();
+        if place(&one).is_some() && place(&one) == place(&other) {
+            return true;
+        }
+    }
+    one == other
 }
 
 impl Options {

@@ -38,10 +38,10 @@ impl Failure {
         Self { code: DATA, place: place.to_string(), message }
     }
 
-    /// A design that is refused; a refusal of the whole of it names the file.
+    /// A design that is refused: its file, and the place in it unless all of it is refused.
     pub fn design(error: &DesignError, file: &str, language: Language) -> Self {
-        let path = error.path.to_string();
-        let place = if path.is_empty() { shown(file) } else { path };
+        let (file, path) = (shown(file), error.path.to_string());
+        let place = if path.is_empty() { file } else { format!("{file}: {path}") };
         Self::data(place, levalab_words::design_error(language, error))
     }
 
@@ -68,19 +68,12 @@ impl Failure {
     }
 
     /// Something that cannot be exported: an option that makes no sense, or a cam that is not fit for it.
-    pub fn export(refusal: &Refusal, language: Language) -> Self {
+    pub fn export(refusal: &Refusal, file: &str, language: Language) -> Self {
         let message = refusal.sentence(language);
         match refusal.option() {
             Some(option) => Self { code: USAGE, place: format!("--{option}"), message },
-            None => Self { code: DATA, place: String::new(), message },
+            None => Self { code: DATA, place: shown(file), message },
         }
-    }
-
-    /// The same with the file that it is about, for a command that takes several.
-    pub fn of(self, file: &str) -> Self {
-        let file = shown(file);
-        let place = if self.place.is_empty() || self.place == file { file } else { format!("{file}: {}", self.place) };
-        Self { place, ..self }
     }
 
     /// Tells it, and gives the exit code.

@@ -13,6 +13,7 @@ mod failure;
 mod input;
 mod output;
 mod solve;
+mod usage;
 
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -105,7 +106,7 @@ struct Analyze {
     /// Design file.
     file: String,
     /// Equal steps over the turn; there is one row more.
-    #[arg(long, default_value_t = 720, value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
+    #[arg(long, default_value_t = 720, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
     samples: u32,
     /// JSON: verdict, summary and columns (the default).
     #[arg(long, conflicts_with = "csv")]
@@ -151,7 +152,7 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
         Command::Convert(options) => convert::run(&options, language)?,
         Command::Link { file } => {
             let design = input::design(&file, language)?;
-            let refused = |refusal| Failure::data("link", levalab_words::too_long(language, refusal));
+            let refused = |refusal| Failure::data(failure::shown(&file), levalab_words::too_long(language, refusal));
             link::encode(&design).map_err(refused)? + "\n"
         }
         Command::Open { link } => input::design_of_link(&link, language)?.to_json(),
@@ -168,11 +169,6 @@ fn answer(refusal: &clap::Error) -> ExitCode {
         let _ = refusal.print();
         return ExitCode::SUCCESS;
     }
-    let text = refusal.to_string();
-    let said = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error:");
-    let line = match refusal.kind() {
-        ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => "no command; try 'levalab --help'".to_owned(),
-        _ => said.split_whitespace().collect::<Vec<_>>().join(" "),
-    };
-    Failure::usage(line).report()
+    let language = usage::language_of(std::env::args_os());
+    Failure::usage(usage::sentence(refusal, language)).report()
 }

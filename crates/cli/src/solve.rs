@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::input;
 use levalab_solve::{Request, Symbols, Worked, latex, markdown, page, solve};
-use levalab_words::{Language, two};
+use levalab_words::Language;
 
 /// What is asked of a solution.
 #[derive(clap::Args)]
@@ -11,7 +11,7 @@ pub struct Options {
     /// Design file.
     file: String,
     /// The only segment to work out, counted from 1.
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", allow_negative_numbers = true)]
     segment: Option<usize>,
     /// Where numbers are put into the formulas: degrees, or length for a cam that travels; where |v| is greatest when left out.
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
@@ -43,8 +43,7 @@ pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
         };
         return Err(Failure::usage(format!("--segment: {said}")));
     }
-    if options.theta.is_some_and(|theta| !theta.is_finite()) {
-        let said = two("It must be a number that can be held.", "Tiene que ser un número finito.").within(language);
+    if let Some(said) = options.theta.and_then(|theta| wrong_place(theta, &worked, language)) {
         return Err(Failure::usage(format!("--theta: {said}")));
     }
     let segment = options.segment.map(|k| k - 1);
@@ -56,4 +55,18 @@ pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
         Writer::Latex => latex(&document, language),
         Writer::Html => page(&document, language),
     })
+}
+
+/// Degrees to either side that a place may have: an `f64` then still holds the angle within the turn to 10⁻⁹ of a degree.
+const MAX_DEGREES: f64 = 1e6;
+
+/// What is wrong with a place where numbers are to be put in: it lies beyond the travel, or so far on that no angle is left.
+fn wrong_place(theta: f64, worked: &Worked, language: Language) -> Option<String> {
+    let (least, most) = worked.design.kind.travel().map_or((-MAX_DEGREES, MAX_DEGREES), |length| (0.0, length));
+    let [from, to] = [least, most].map(|value| language.exact(value));
+    let said = match language {
+        Language::En => format!("It must be a number from {from} to {to}."),
+        Language::Es => format!("Tiene que ser un número de {from} a {to}."),
+    };
+    (!(least..=most).contains(&theta)).then_some(said)
 }

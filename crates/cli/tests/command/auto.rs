@@ -17,5 +17,5 @@ fn auto_joins_what_the_machine_must_do_and_says_why() {
     let why = text(&with_input(&["auto", "-", "--why", "--lang", "es"], requirements.as_bytes()).stdout);
     assert!(why.starts_with("De 60° a 100°: ") && why.contains("menor máximo"), "{why}");
     let wrong = requirements.replace("[100, 160]", "[50, 160]");
-    check_refusal(&with_input(&["auto", "-"], wrong.as_bytes()), 65, "levalab: requirements[1]: ");
+    check_refusal(&with_input(&["auto", "-"], wrong.as_bytes()), 65, "levalab: -: requirements[1]: ");
 }

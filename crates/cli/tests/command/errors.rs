@@ -8,16 +8,24 @@ fn an_error_names_its_place_on_one_line() {
     let mut design = example("9RT").expect("9RT");
     design.segments[2].beta = -1.0;
     for order in ["analyze", "check", "link"] {
-        check_refusal(&with_input(&[order, "-"], design.to_json().as_bytes()), 65, "levalab: segments[2].beta: ");
+        check_refusal(&with_input(&[order, "-"], design.to_json().as_bytes()), 65, "levalab: -: segments[2].beta: ");
     }
-    check_refusal(&with_input(&["check", "-"], b"{"), 65, "levalab: -: The text is not JSON from line 1, column 1 on.");
+    check_refusal(
+        &with_input(&["check", "-"], b"{"),
+        65,
+        "levalab: -: The text ends in the middle of the design, in line 1, column 2.",
+    );
     check_refusal(&with_input(&["check", "-"], &[0xff]), 65, "levalab: ");
     check_refusal(
         &with_input(&["check", "-"], br#"{"format": "levalab/1", "a\nb": 1}"#),
         65,
-        r#"levalab: ["a\u{a}b"]: "#,
+        r#"levalab: -: ["a\u{a}b"]: "#,
     );
-    check_refusal(&with_input(&["check", "-"], &vec![b' '; 2 << 20]), 65, "levalab: -: The file has ");
+    check_refusal(
+        &with_input(&["check", "-"], &vec![b' '; 2 << 20]),
+        65,
+        "levalab: -: The file has more than 1\u{202f}048\u{202f}576 bytes",
+    );
     check_refusal(&levalab(&["open", "1.a.b"]), 65, "levalab: link: ");
     check_refusal(&levalab(&["check", "--lang", "es", "absent"]), 66, "levalab: absent: No existe ese archivo.");
     check_refusal(&levalab(&["check", env!("CARGO_MANIFEST_DIR")]), 66, "levalab: ");
@@ -41,6 +49,34 @@ fn wrong_use_ends_with_64() {
         check_refusal(&levalab(arguments), 64, "levalab: ");
     }
     assert!(!said(&["--help"]).is_empty() && !said(&["--version"]).is_empty());
+}
+
+#[test]
+fn wrong_use_is_told_in_the_language_asked_for() {
+    let file = file_of("9RT");
+    let wrong: [(&[&str], &str, &str); 7] = [
+        (&[], "no command; try", "falta la orden; pruebe"),
+        (&["frobnicate"], "There is no command 'frobnicate'", "No existe la orden 'frobnicate'"),
+        (&["check"], "Missing: <FILES>...", "Falta: <FILES>..."),
+        (&["check", &file, "--hurry"], "'--hurry' has no meaning here", "'--hurry' no tiene sentido aquí"),
+        (&["analyze", &file, "--json", "--csv"], "--json and --csv cannot", "--json y --csv no se pueden"),
+        (
+            &["analyze", &file, "--samples", "many"],
+            "--samples: It must be a whole",
+            "--samples: Tiene que ser un número",
+        ),
+        (
+            &["export", &file, "--to", "pdf"],
+            "--to: It must be one of csv, xlsx",
+            "--to: Tiene que ser uno de csv, xlsx",
+        ),
+    ];
+    for (arguments, en, es) in wrong {
+        check_refusal(&levalab(arguments), 64, &format!("levalab: {en}"));
+        for spanish in [&["--lang", "es"][..], &["--lang=es"]] {
+            check_refusal(&levalab(&[arguments, spanish].concat()), 64, &format!("levalab: {es}"));
+        }
+    }
 }
 
 #[cfg(target_os = "linux")]

@@ -8,7 +8,7 @@ fn export_writes_each_kind_of_file() {
     let file = file_of("9RT");
     let exported = |more: &[&str]| written(&[&["export", &file, "-o", "-"], more].concat());
     let csv = text(&exported(&["--to", "csv", "--step", "30", "--lang", "es"]));
-    assert!(csv.starts_with("\u{feff}Ángulo de la leva θ (°);") && csv.lines().count() == 14, "{csv}");
+    assert!(csv.starts_with("\u{feff}\"Ángulo de la leva θ (°)\";") && csv.lines().count() == 14, "{csv}");
     let comma = text(&exported(&["--to", "csv", "--table", "cartesian", "--separator", "comma", "--lang", "es"]));
     assert!(comma.lines().nth(1).is_some_and(|row| row == "0,0,35"), "{comma}");
     assert!(exported(&["--to", "xlsx"]).starts_with(b"PK"));
@@ -44,6 +44,16 @@ fn an_export_that_makes_no_sense_is_refused_by_the_name_of_its_option() {
     refused(&["--to", "csv", "--step", "7"], 64, "levalab: --step: Steps of 7°");
     refused(&["--to", "stl", "--thickness", "-1"], 64, "levalab: ");
     refused(&["--to", "stl", "--thickness=-1", "--lang", "es"], 64, "levalab: --thickness: Esta medida");
+    refused(&["--to", "stl", "--thickness", "-1", "--lang", "es"], 64, "levalab: --thickness: Esta medida");
+    refused(
+        &["--to", "stl", "--thickness", "nan"],
+        64,
+        "levalab: --thickness: This measure has to be a positive number",
+    );
+    refused(&["--to", "stl", "--bore", "-2"], 64, "levalab: --bore: This measure has to be a positive number");
+    refused(&["--to", "csv", "--step", "-1"], 64, "levalab: --step: ");
+    refused(&["--to", "png", "--width", "-1", "--lang", "es"], 64, "levalab: --width: Tiene que ser un número entero");
+    refused(&["--to", "stl", "--bore", "20", "--keyway", "-3x2"], 64, "levalab: --keyway: ");
     refused(&["--to", "dxf", "--bore", "80"], 64, "levalab: --bore: ");
     refused(&["--to", "dxf", "--bore", "20", "--keyway", "30x2"], 64, "levalab: --keyway: ");
     refused(&["--to", "dxf", "--keyway", "8x3"], 64, "levalab: ");
@@ -56,5 +66,28 @@ fn an_export_that_makes_no_sense_is_refused_by_the_name_of_its_option() {
     let mut design = example("9RT").expect("9RT");
     design.base_radius = 10.0;
     let output = with_input(&["export", "-", "--to", "stl", "-o", "-"], design.to_json().as_bytes());
-    check_refusal(&output, 65, "levalab: The profile is undercut");
+    check_refusal(&output, 65, "levalab: -: The profile is undercut");
+}
+
+#[test]
+fn the_design_file_is_never_written_over() {
+    let folder = std::env::temp_dir().join(format!("levalab-same-{}", std::process::id()));
+    std::fs::create_dir_all(folder.join("inner")).expect("a folder");
+    let design = folder.join("cam.lev.json");
+    std::fs::copy(file_of("9RT"), &design).expect("a copy");
+    let before = std::fs::read(&design).expect("the design");
+    let mut names = vec![design.clone(), folder.join("inner/../cam.lev.json")];
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink(&design, folder.join("link")).expect("a link");
+        std::fs::hard_link(&design, folder.join("hard")).expect("a link");
+        names.extend([folder.join("link"), folder.join("hard")]);
+    }
+    for name in names {
+        let [design, name] = [&design, &name].map(|path| path.to_str().expect("a plain path"));
+        let output = levalab(&["export", design, "--to", "csv", "-o", name]);
+        check_refusal(&output, 64, &format!("levalab: --output: {name}: It is the design file itself"));
+    }
+    assert_eq!(std::fs::read(&design).expect("the design"), before);
+    std::fs::remove_dir_all(&folder).expect("tidied");
 }

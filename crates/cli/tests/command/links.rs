@@ -22,7 +22,7 @@ fn any_design_survives_the_pipeline() {
         let design = testing::design(&mut random);
         let link = with_input(&["link", "-"], design.to_json().as_bytes());
         if !link.status.success() {
-            check_refusal(&link, 65, "levalab: link: The link would have");
+            check_refusal(&link, 65, "levalab: -: The link would have");
             continue;
         }
         let opened = with_input(&["open", "-"], &link.stdout);

@@ -26,5 +26,12 @@ fn a_solution_is_written_in_every_form() {
     );
     check_refusal(&levalab(&["solve", &file, "--segment", "0", "--lang", "es"]), 64, "levalab: --segment: El diseño");
     check_refusal(&levalab(&["solve", &file, "--theta", "inf"]), 64, "levalab: --theta: ");
+    for theta in ["1e300", "-1e300", "nan", "1000001"] {
+        check_refusal(
+            &levalab(&["solve", &file, "--theta", theta, "--lang", "es"]),
+            64,
+            "levalab: --theta: Tiene que ser un número de ",
+        );
+    }
     check_refusal(&levalab(&["solve", &file, "--to", "pdf"]), 64, "levalab: ");
 }
