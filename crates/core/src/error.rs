@@ -72,6 +72,11 @@ pub enum ProgramProblem {
         /// The height at the end.
         found: f64,
     },
+    /// The first segment does not begin at the height 0, and so the turn cannot close.
+    Beginning {
+        /// The height at which it begins.
+        found: f64,
+    },
     /// A segment ends below the base circle.
     BelowBase {
         /// The height it ends at.

@@ -123,6 +123,7 @@ fn problems() -> Vec<Problem> {
         Problem::Cam(CamRefusal::SwingingApplication),
         Problem::OneOf { expected: vec!["angle", "base_radius"] },
         Problem::Program(ProgramRefusal::Closing { found: 0.1, measure }),
+        Problem::Program(ProgramRefusal::Beginning { found: 5.0, measure }),
         Problem::Program(ProgramRefusal::BelowBase { found: -0.1, measure }),
         Problem::Misfit(Misfit::Eccentricity { eccentricity: 42.0, prime_radius: 42.0 }),
         Problem::Misfit(Misfit::Triangle { pivot_distance: 200.0, arm: 80.0, prime_radius: 50.0 }),

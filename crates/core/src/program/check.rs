@@ -35,6 +35,7 @@ pub(super) fn check_cycle(
     segments: &[Segment],
     borders: &[f64],
     heights: &[f64],
+    beginning: f64,
 ) -> Result<(), ProgramError> {
     let last = segments.len() - 1;
     let (covered, height) = (borders[last + 1], heights[last + 1]);
@@ -47,6 +48,9 @@ pub(super) fn check_cycle(
         return Err(ProgramError { segment: k - 1, problem: ProgramProblem::BelowBase { found: heights[k] } });
     }
     if !free_end && height.abs() > CLOSING_TOLERANCE {
+        if beginning.abs() > CLOSING_TOLERANCE {
+            return Err(ProgramError { segment: 0, problem: ProgramProblem::Beginning { found: beginning } });
+        }
         return Err(ProgramError { segment: last, problem: ProgramProblem::Closing { found: height } });
     }
     Ok(())

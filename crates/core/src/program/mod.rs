@@ -78,7 +78,8 @@ impl Program {
         check_each(cycle, segments)?;
         let borders = running_sum(segments);
         let (heights, solved) = climb(cycle, segments)?;
-        check_cycle(cycle, segments, &borders, &heights)?;
+        let first = solved[0].as_ref().and_then(|solved| solved.pieces.first());
+        check_cycle(cycle, segments, &borders, &heights, first.map_or(0.0, |piece| piece.at(0.0).s))?;
         let doubt = |(segment, solved): (usize, &Option<Solved>)| {
             let condition = solved.as_ref()?.condition;
             (condition > LEAST_TRUSTED).then_some(Doubt { segment, condition, limit: LEAST_TRUSTED })

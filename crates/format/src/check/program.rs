@@ -4,8 +4,9 @@ use super::check_range;
 use crate::data;
 use crate::decimal::Decimal;
 use crate::limits::{BETA, MAX_SEGMENTS, RISE, SUM_ROUNDING, SUM_TOLERANCE, SWING};
+use crate::report::tidy;
 use crate::{CamKind, CamRefusal, DataRefusal, Design, DesignError, Measure, Path, ProgramRefusal, SegmentDesign};
-use levalab_core::law::Given;
+use levalab_core::law::{DataProblem, Free, Given, Solved};
 use levalab_core::{Cycle, MIN_BETA, Program, Segment};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
@@ -97,6 +98,9 @@ impl Design {
             _ => {}
         }
         if misses(last) {
+            if let Some(found) = self.beginning().filter(|&height| misses(Decimal::of(height))) {
+                return Err(DesignError::at(self.place_of_rise(0), ProgramRefusal::Beginning { found, measure }));
+            }
             return Err(DesignError::at("segments", ProgramRefusal::Closing { found: last.to_f64(), measure }));
         }
         if let Some(k) = self.segments.iter().rposition(|segment| !segment.law.is_dwell()) {
@@ -113,12 +117,8 @@ impl Design {
         let end = match data::stated_end(segment) {
             Some(end) => end,
             None => {
-                let (up, beta) = (measure.to_core(1.0), self.stride().to_core(segment.beta));
-                let (rise, start) = (segment.rise * up, start.to_f64() * up);
-                let (parameters, data) = segment.to_core(beta, up);
-                let given = Given { data: &data, beta, start, rise, parameters, ..Given::default() };
-                let solved = (free.solve)(&given).map_err(|problem| self.data_error(k, problem))?;
-                let end = solved.pieces.last().map_or(0.0, |piece| piece.at(1.0).s) / up;
+                let solved = self.solve(free, k, start).map_err(|problem| self.data_error(k, problem))?;
+                let end = solved.pieces.last().map_or(0.0, |piece| piece.at(1.0).s) / measure.to_core(1.0);
                 check_range(here.clone(), end, self.heights(), measure)?;
                 Decimal::of(end)
             }
@@ -130,6 +130,22 @@ impl Design {
             return Err(DesignError::at(here.join("rise"), problem));
         }
         Ok(end)
+    }
+
+    /// The curve of a segment whose law is free, from the height at which the one before it ends.
+    fn solve(&self, free: &Free, k: usize, start: Decimal) -> Result<Solved, DataProblem> {
+        let segment = &self.segments[k];
+        let (up, beta) = (self.lift().to_core(1.0), self.stride().to_core(segment.beta));
+        let (rise, start) = (segment.rise * up, start.to_f64() * up);
+        let (parameters, data) = segment.to_core(beta, up);
+        (free.solve)(&Given { data: &data, beta, start, rise, parameters, ..Given::default() })
+    }
+
+    /// The height at which the first segment begins, when its law is free to begin anywhere.
+    fn beginning(&self) -> Option<f64> {
+        let free = self.segments.first()?.law.free()?;
+        let solved = self.solve(free, 0, Decimal::default()).ok()?;
+        Some(tidy(solved.pieces.first()?.at(0.0).s / self.lift().to_core(1.0)))
     }
 
     /// Where to look when a segment ends too low: its rise, or the whole segment when it has none.

@@ -28,6 +28,9 @@ impl Design {
             ProgramProblem::Closing { found } => {
                 (all(), ProgramRefusal::Closing { found: lift.told(found), measure: lift })
             }
+            ProgramProblem::Beginning { found } => {
+                (self.place_of_rise(segment), ProgramRefusal::Beginning { found: lift.told(found), measure: lift })
+            }
             ProgramProblem::BelowBase { found } => {
                 (self.place_of_rise(segment), ProgramRefusal::BelowBase { found: lift.told(found), measure: lift })
             }

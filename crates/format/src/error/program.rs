@@ -42,6 +42,13 @@ pub enum ProgramRefusal {
         /// What it measures.
         measure: Measure,
     },
+    /// The first segment does not begin on the base circle.
+    Beginning {
+        /// The height at which it begins.
+        found: f64,
+        /// What it measures.
+        measure: Measure,
+    },
     /// A segment ends below the base circle.
     BelowBase {
         /// The height it ends at.

@@ -55,6 +55,10 @@ fn programs_that_cannot_be_are_placed() {
     check("/segments", json!([free(180.0, 1.0), free(180.0, -1.0)]), "segments[0].law", |problem| {
         *problem == Problem::Program(ProgramRefusal::AdjacentPolynomials { next: 1 })
     });
+    let raised = json!([{"law": "formula", "beta": 360, "expression": "5+5sin(2πx)"}]);
+    check("/segments", raised, "segments[0]", |problem| {
+        *problem == Problem::Program(ProgramRefusal::Beginning { found: 5.0, measure: Measure::Length })
+    });
     let scca = json!([{"law": "scca", "beta": 180, "rise": 9, "b": 0.5, "c": 0.7}, {"law": "scca", "beta": 180, "rise": -9, "b": 0.5, "c": 0.2}]);
     check("/segments", scca, "segments[0].c", |problem| {
         *problem == Problem::OutOfRange { found: 0.7, min: 0.0, max: 0.5, measure: Measure::Ratio }

@@ -108,6 +108,12 @@ fn program(refusal: ProgramRefusal) -> String {
             let height = measured(found, measure, EN);
             format!("The rises add up to {height}; they must add up to 0, so that the turn ends where it begins.")
         }
+        ProgramRefusal::Beginning { found, measure } => {
+            let height = measured(found, measure, EN);
+            format!(
+                "The first segment begins at {height}; it must begin at 0, on the base circle: subtract {height} from it."
+            )
+        }
         ProgramRefusal::BelowBase { found, measure } => {
             format!("The follower would end at {}, below the base circle.", measured(found, measure, EN))
         }

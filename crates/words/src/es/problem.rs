@@ -108,6 +108,12 @@ fn program(refusal: ProgramRefusal) -> String {
             let height = measured(found, measure, ES);
             format!("Las subidas y bajadas suman {height}; tienen que sumar 0 para que la vuelta acabe donde empieza.")
         }
+        ProgramRefusal::Beginning { found, measure } => {
+            let height = measured(found, measure, ES);
+            format!(
+                "El primer tramo empieza en {height}; tiene que empezar en 0, sobre la circunferencia base: réstele {height}."
+            )
+        }
         ProgramRefusal::BelowBase { found, measure } => {
             format!("El seguidor acabaría en {}, por debajo de la circunferencia base.", measured(found, measure, ES))
         }
