@@ -37,6 +37,10 @@ const TIE: f64 = 1e-4;
 /// Most bumps refined for one extreme, the most promising first: a program of many equal segments has many equal bumps.
 const MOST_BUMPS: usize = 4;
 
+/// The same two where a formula has places of its own: its bumps are many and their estimates rough.
+const TIE_OF_FORMULAS: f64 = 1e-2;
+const MOST_BUMPS_OF_FORMULAS: usize = 24;
+
 /// A gain smaller than this part of the range is rounding: the first place that comes so close is the one to name.
 const ROUNDING: f64 = 1e-12;
 
@@ -125,14 +129,17 @@ impl Search<'_> {
                 let beside = |inside: bool, at: usize| if inside { sign * values[at] } else { f64::NEG_INFINITY };
                 let (before, after) = (beside(at > span.start, at.wrapping_sub(1)), beside(at + 1 < span.end, at + 1));
                 if here >= before && here > after || here > before && here >= after {
-                    bumps.push(Bump { stretch, at, promise: vertex(before, here, after) });
+                    let steps = [at.max(span.start + 1) - 1, at, (at + 1).min(span.end - 1)].map(|k| samples.theta[k]);
+                    bumps.push(Bump { stretch, at, promise: vertex(steps, [before, here, after]) });
                 }
             }
         }
         let mut best = best.unwrap_or((high, 0.0));
+        let has_formulas = cam.program.stretches().iter().any(|stretch| stretch.places().next().is_some());
+        let (tie, most) = if has_formulas { (TIE_OF_FORMULAS, MOST_BUMPS_OF_FORMULAS) } else { (TIE, MOST_BUMPS) };
         let top = bumps.iter().map(|bump| bump.promise).fold(f64::NEG_INFINITY, f64::max);
-        bumps.retain(|bump| bump.promise >= top - TIE * range);
-        for _ in 0..MOST_BUMPS {
+        bumps.retain(|bump| bump.promise >= top - tie * range);
+        for _ in 0..most {
             let Some(next) = (0..bumps.len()).min_by(|&a, &b| bumps[b].promise.total_cmp(&bumps[a].promise)) else {
                 break;
             };
@@ -143,6 +150,11 @@ impl Search<'_> {
         }
         let past_the_end = cam.program.is_cyclic() && best.1 >= TAU;
         (best.0, if past_the_end { best.1 - TAU } else { best.1 })
+    }
+
+    /// The stretch that a sample lies on.
+    fn stretch_of(&self, sample: usize) -> usize {
+        self.samples.spans.partition_point(|span| span.end <= sample)
     }
 
     /// Where `sign`·quantity is greatest beside a sample that is higher than its neighbours, and the value there.
@@ -170,13 +182,14 @@ impl Search<'_> {
 }
 
 /// Height of the parabola through three samples, for ranking bumps; at a one-sided end, the sample itself.
-fn vertex(before: f64, here: f64, after: f64) -> f64 {
-    let bend = before - 2.0 * here + after;
+fn vertex([before, here, after]: [f64; 3], [low, middle, high]: [f64; 3]) -> f64 {
+    let (left, right) = ((middle - low) / (here - before), (high - middle) / (after - here));
+    let bend = (right - left) / (after - before);
     if !bend.is_finite() || bend >= 0.0 {
-        return here;
+        return middle;
     }
-    let slope = 0.5 * (after - before);
-    here - 0.5 * slope * slope / bend
+    let slope = left + bend * (here - before);
+    middle - 0.25 * slope * slope / bend
 }
 
 /// Where the slope passes zero beside the middle one of three points, given as (θ, slope); nowhere when it does not, as at the end of a stretch.
@@ -249,6 +262,43 @@ pub(crate) fn summit(
         }
     }
     (x, fx)
+}
+
+/// The greatest value of `sign`·quantity between two θ (the second beyond 2π when they enclose 0), and where: the quantity and its θ.
+pub(crate) fn greatest_within(
+    cam: &Cam,
+    samples: &Samples,
+    quantity: Quantity,
+    sign: f64,
+    (from, to): (f64, f64),
+) -> (f64, f64) {
+    let search = Search { cam, samples, quantity };
+    let mut best = (f64::NEG_INFINITY, from);
+    let tolerance = THETA_TOLERANCE * (cam.program.span() / TAU);
+    for (stretch, span) in cam.program.stretches().iter().zip(&samples.spans) {
+        for turn in [0.0, TAU].into_iter().take(if cam.program.is_cyclic() { 2 } else { 1 }) {
+            let (low, high) = (stretch.from.max(from - turn), stretch.to.min(to - turn));
+            if low > high {
+                continue;
+            }
+            let value = |theta: f64| sign * quantity.at(cam, stretch, theta);
+            let (low_value, high_value) = (value(low), value(high));
+            let ends = if low_value >= high_value { (low_value, low) } else { (high_value, high) };
+            let inside = span.clone().filter(|&i| low < samples.theta[i] && samples.theta[i] < high);
+            let values = samples.of_all(quantity);
+            let top = inside.max_by(|&a, &b| (sign * values[a]).total_cmp(&(sign * values[b])));
+            let (at, found) = match top {
+                Some(i) => search.summit(sign, &Bump { stretch: search.stretch_of(i), at: i, promise: 0.0 }),
+                // So short that no sample lies in it.
+                None => summit((low, high), (0.5 * (low + high), value(0.5 * (low + high))), tolerance, value),
+            };
+            let here = if found > ends.0 && low <= at && at <= high { (found, at) } else { ends };
+            if here.0 > best.0 {
+                best = here;
+            }
+        }
+    }
+    (sign * best.0, best.1)
 }
 
 /// The intervals of θ (radians) in which `excess` of a quantity is positive; one that passes 2π ends beyond it.

@@ -30,6 +30,8 @@ pub enum FindingKind {
     ConcaveFlat,
     /// The data of a free law hardly determine its curve.
     Doubtful,
+    /// A bound on work was reached before the extremes were proved; the lowest order concerned is 0 for *s* to 3 for *j*.
+    NotProved(u8),
     /// The follower goes below the base circle: s < 0.
     BelowBase,
     /// The profile crosses itself away from any cusp.
@@ -78,6 +80,7 @@ impl FindingKind {
             Self::GrooveUndercut => "groove-undercut",
             Self::ConcaveFlat => "concave-flat",
             Self::Doubtful => "doubtful-curve",
+            Self::NotProved(_) => "not-proved",
             Self::BelowBase => "below-base-circle",
             Self::SelfCrossing => "self-crossing",
             Self::ArmCutsCam => "arm-cuts-cam",
@@ -90,16 +93,17 @@ impl FindingKind {
     /// True when the motion is to blame, whatever the geometry.
     #[must_use]
     pub fn is_of_the_motion(self) -> bool {
-        matches!(self, Self::Jump(_) | Self::BelowBase | Self::Doubtful)
+        matches!(self, Self::Jump(_) | Self::BelowBase | Self::Doubtful | Self::NotProved(_))
     }
 
-    /// How bad it is in a cam closed in that way: a jump of *j* only forbids high speed, all else is red. A yoke tolerates jumps
+    /// How bad it is in a cam closed in that way: a jump of *j*, or what is not proved, only forbids high
+    /// speed, all else is red. A yoke tolerates jumps
     /// of *a* and *j*: the two halves of its program mirror each other, so few programs are without, and it never loses contact.
     #[must_use]
     pub fn severity(self, closure: Closure) -> Level {
         match self {
             Self::Jump(2 | 3) if closure == Closure::Yoke => Level::Acceptable,
-            Self::Jump(3) => Level::LowSpeed,
+            Self::Jump(3) | Self::NotProved(_) => Level::LowSpeed,
             _ => Level::Unacceptable,
         }
     }

@@ -37,6 +37,15 @@ impl Form {
         }
     }
 
+    /// Every x between 0 and 1, in order, at which it must be sampled besides its ends so that nothing is missed: none for the curves of
+    /// laws, which have no narrow features.
+    pub(crate) fn places(&self) -> &[f64] {
+        match self {
+            Self::Formula(formula) => formula.places(),
+            Self::Curve(_) | Self::Series(_) => &[],
+        }
+    }
+
     /// True when it is a constant.
     #[must_use]
     pub fn is_constant(&self) -> bool {

@@ -65,7 +65,7 @@ pub use cycle::Cycle;
 pub use error::{CamError, GeometryError, GeometryProblem, Misfit, ProgramError, ProgramProblem};
 pub use expression::{
     Constant as ExpressionConstant, Expression, ExpressionFault, ExpressionProblem, Formula,
-    Function as ExpressionFunction, MAX_EXPRESSION, Op as ExpressionOp, Variables,
+    Function as ExpressionFunction, MAX_EXPRESSION, Op as ExpressionOp, Roughness, RoughnessCause, Unproved, Variables,
 };
 pub use extreme::Extremes;
 pub use finding::{Finding, FindingKind, Level};

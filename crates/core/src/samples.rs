@@ -196,16 +196,30 @@ impl Samples {
         };
         let starts_on_grid = first < after && self.station(first) - stretch.from < snap;
         let parts = if after - first < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
+        let mut places = stretch.places_and_steps(parts);
+        // A place on a station is that station: rounding alone would tell them apart.
+        places.retain(|&own| own == stretch.from || own == stretch.to || self.distance_to_station(own) > snap);
         let mut station = first;
-        for part in usize::from(starts_on_grid)..=parts {
-            let share = part as f64 / parts as f64;
-            let own = if part == parts { stretch.to } else { stretch.from + (stretch.to - stretch.from) * share };
-            let before = (station..after).find(|&k| part < parts && self.station(k) >= own).unwrap_or(after);
-            self.look_at_stations(cam, stretch, station..before, block);
+        for (i, &own) in places.iter().enumerate().skip(usize::from(starts_on_grid)) {
+            let last = i + 1 == places.len();
+            let until = if last { after } else { self.first_station_from(own, station..after) };
+            self.look_at_stations(cam, stretch, station..until, block);
             self.look_at(cam, stretch, &[own], block);
-            station = before;
+            station = until;
         }
         self.spans.push(first_sample..self.theta.len());
+    }
+
+    /// How far θ is from the nearest station of the grid.
+    fn distance_to_station(&self, theta: f64) -> f64 {
+        (theta - self.station((theta / self.span * self.stations as f64).round().max(0.0) as usize)).abs()
+    }
+
+    /// The first of some stations of the grid that is not before θ.
+    fn first_station_from(&self, theta: f64, stations: Range<usize>) -> usize {
+        let estimate = (theta / self.span * self.stations as f64).floor().max(0.0) as usize;
+        let first = estimate.saturating_sub(1).clamp(stations.start, stations.end);
+        (first..stations.end).find(|&k| self.station(k) >= theta).unwrap_or(stations.end)
     }
 
     /// Looks at stations of the grid that follow each other.

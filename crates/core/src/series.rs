@@ -60,6 +60,11 @@ impl Series {
         Svaj::new(s, v, a, j)
     }
 
+    /// Its degree.
+    pub(crate) fn degree(&self) -> usize {
+        self.terms.len().saturating_sub(1)
+    }
+
     /// k·y(x) + c.
     #[must_use]
     pub fn scaled(mut self, k: f64, c: f64) -> Self {

@@ -7,6 +7,10 @@ use std::f64::consts::PI;
 /// Places of a stretch at which a derivative is looked at for changes of its sign.
 const LOOKS: usize = 240;
 
+/// Parts between the places at which the size of a curve is taken: with a degree of 8 at most and waves of a period or less it cannot
+/// vanish at all of them, unless it is zero.
+const CURVE_PARTS: usize = 8;
+
 /// What is smaller beside the greatest value of a derivative is rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -35,10 +39,65 @@ impl Stretch {
         Svaj::new(y.s, y.v * k, y.a * k2, y.j * (k2 * k))
     }
 
-    /// What the rounding of heights of a size makes of a derivative over so short a stretch, as a spline of many points has.
+    /// The error of rounding of a derivative at the ends of the stretch: of heights of a size over so short a stretch, as a spline of many
+    /// points has, or of the operations of a formula.
     pub(crate) fn rounding(&self, height: f64, order: usize) -> f64 {
         const DIGITS: f64 = 64.0 * f64::EPSILON;
-        if self.is_still() { 0.0 } else { DIGITS * height / (self.to - self.from).powi(order as i32) }
+        let of_heights = if self.is_still() { 0.0 } else { DIGITS * height / (self.to - self.from).powi(order as i32) };
+        match &self.curve {
+            Form::Formula(formula) => of_heights + formula.rounding(order) * self.per_beta.abs().powi(order as i32),
+            Form::Curve(_) | Form::Series(_) => of_heights,
+        }
+    }
+
+    /// The lowest and the highest value of *s* and its derivatives, as far as a scale needs them: those of a formula are true extremes,
+    /// those of other curves no less than the √2th part of them.
+    pub(crate) fn ranges(&self) -> [(f64, f64); 4] {
+        let in_theta = |order: usize, (low, high): (f64, f64)| {
+            let factor = self.per_beta.powi(order as i32);
+            (low * factor, high * factor)
+        };
+        let parts = match &self.curve {
+            Form::Formula(formula) => return std::array::from_fn(|order| in_theta(order, formula.range(order))),
+            Form::Curve(_) if self.is_still() => 1,
+            Form::Curve(_) => CURVE_PARTS,
+            // Ehlich and Zeller (1964): a polynomial of degree n is nowhere larger than sec(π/4) times its largest value at these places.
+            Form::Series(series) => (2 * series.degree()).max(1),
+        };
+        let is_series = matches!(self.curve, Form::Series(_));
+        let mut ranges = [(f64::INFINITY, f64::NEG_INFINITY); 4];
+        for i in 0..=parts {
+            let even = i as f64 / parts as f64;
+            let share = if is_series { 0.5 - 0.5 * (PI * even).cos() } else { even };
+            let motion = self.at(self.from + (self.to - self.from) * share);
+            for (order, range) in ranges.iter_mut().enumerate() {
+                let value = motion.order(order);
+                *range = (range.0.min(value), range.1.max(value));
+            }
+        }
+        ranges
+    }
+
+    /// Every θ inside the stretch, in order, at which it must be sampled so that nothing is missed.
+    pub(crate) fn places(&self) -> impl Iterator<Item = f64> {
+        let theta = |x: &f64| self.origin + self.beta * x;
+        self.curve.places().iter().map(theta).filter(|theta| self.from < *theta && *theta < self.to)
+    }
+
+    /// What could not be proved of its extremes: the lowest order concerned, and where it begins and ends.
+    pub(crate) fn unproved(&self) -> Option<(u8, f64, f64)> {
+        let Form::Formula(formula) = &self.curve else { return None };
+        formula
+            .unproved()
+            .map(|part| (part.order, self.origin + self.beta * part.from, self.origin + self.beta * part.to))
+    }
+
+    /// Its ends, every place at which it must be sampled, and so many even steps.
+    pub(crate) fn places_and_steps(&self, steps: usize) -> Vec<f64> {
+        let even = (1..steps).map(|i| self.from + (self.to - self.from) * i as f64 / steps as f64);
+        let mut places: Vec<f64> = [self.from, self.to].into_iter().chain(self.places()).chain(even).collect();
+        places.sort_by(f64::total_cmp);
+        places
     }
 
     /// True when the follower rests.
@@ -65,13 +124,15 @@ impl Stretch {
     #[must_use]
     pub fn zeros(&self, order: usize) -> Vec<f64> {
         let at = |theta: f64| self.at(theta).order(order);
-        let theta = |i: usize| self.from + (self.to - self.from) * i as f64 / LOOKS as f64;
-        let scale = (0..=LOOKS).map(|i| at(theta(i)).abs()).fold(0.0, f64::max);
-        let floor = ROUNDING * scale;
+        let along: Vec<(f64, f64)> = self.places_and_steps(LOOKS).into_iter().map(|theta| (theta, at(theta))).collect();
+        let floor = match &self.curve {
+            // Beside a narrow feature, which is steep, all the others are small.
+            Form::Formula(formula) => formula.rounding(order) * self.per_beta.powi(order as i32),
+            Form::Curve(_) | Form::Series(_) => ROUNDING * along.iter().map(|place| place.1.abs()).fold(0.0, f64::max),
+        };
         let mut zeros = Vec::new();
         let mut last: Option<(f64, f64)> = None;
-        for i in 0..=LOOKS {
-            let here = (theta(i), at(theta(i)));
+        for here in along {
             // What is nothing but rounding has no sign; where it begins or ends is of no interest.
             if here.1.abs() <= floor {
                 continue;

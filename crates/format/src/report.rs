@@ -211,7 +211,7 @@ fn finding_of(design: &Design, finding: &Finding) -> DesignFinding {
         | FindingKind::PivotInsideCam
         | FindingKind::FaceOvertaken
         | FindingKind::ContactPastPivot => Some(1.0),
-        FindingKind::SelfCrossing | FindingKind::Doubtful => None,
+        FindingKind::SelfCrossing | FindingKind::Doubtful | FindingKind::NotProved(_) => None,
     };
     let measured = |value: f64| scale.map(|scale| value * scale + 0.0).filter(|value| value.is_finite());
     DesignFinding {

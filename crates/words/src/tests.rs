@@ -2,7 +2,8 @@
 
 use super::*;
 use levalab_core::{
-    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, Instead, LAWS, Level, Misfit,
+    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, Instead, LAWS, Level,
+    Misfit, RoughnessCause,
 };
 use levalab_format::{
     CamKind, CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Price, Problem, ProgramRefusal, cures, example,
@@ -32,7 +33,7 @@ fn finding_of(kind: FindingKind) -> DesignFinding {
     }
 }
 
-const KINDS: [FindingKind; 16] = [
+const KINDS: [FindingKind; 18] = [
     FindingKind::Jump(0),
     FindingKind::Jump(1),
     FindingKind::Jump(2),
@@ -43,6 +44,8 @@ const KINDS: [FindingKind; 16] = [
     FindingKind::ConcaveFlat,
     FindingKind::BelowBase,
     FindingKind::Doubtful,
+    FindingKind::NotProved(0),
+    FindingKind::NotProved(3),
     FindingKind::SelfCrossing,
     FindingKind::ArmCutsCam,
     FindingKind::PivotInsideCam,
@@ -99,7 +102,10 @@ fn problems() -> Vec<Problem> {
         DataRefusal::KnotPlace { item: 6, from: 95.0, to: 99.0, measure }.into(),
         DataRefusal::NotAtEnd { found: 99.5, expected: 100.0, measure }.into(),
         DataRefusal::Unordered.into(),
-        DataRefusal::Undefined { x: 0.25 }.into(),
+        DataRefusal::Undefined { x: 0.25, cause: RoughnessCause::Power }.into(),
+        DataRefusal::Undefined { x: 0.25, cause: RoughnessCause::Division }.into(),
+        DataRefusal::Undefined { x: 0.25, cause: RoughnessCause::TooLarge }.into(),
+        DataRefusal::Undefined { x: 0.25, cause: RoughnessCause::Edge }.into(),
         fault(ExpressionFault::Ends),
         fault(ExpressionFault::TooLong { limit: 512 }),
         fault(ExpressionFault::TooDeep),

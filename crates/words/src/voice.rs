@@ -68,7 +68,7 @@ impl Figures {
             FindingKind::Jump(order) => units.travel(number, order, language),
             FindingKind::BelowBase => units.travel(number, 0, language),
             FindingKind::PressureAngle => language.angle(number),
-            FindingKind::FaceOvertaken | FindingKind::Doubtful => language.number(number),
+            FindingKind::FaceOvertaken | FindingKind::Doubtful | FindingKind::NotProved(_) => language.number(number),
             FindingKind::Cusp
             | FindingKind::Undercut
             | FindingKind::GrooveUndercut
@@ -109,6 +109,12 @@ pub(crate) fn worst_kinds(report: &Report) -> Vec<FindingKind> {
         }
     }
     kinds
+}
+
+/// At how many joints a jump of the jerk forbids high speeds.
+pub(crate) fn joints_of_the_jerk(report: &Report) -> usize {
+    let jumps = |finding: &&DesignFinding| finding.kind == FindingKind::Jump(3) && finding.level == Level::LowSpeed;
+    report.findings.iter().find(jumps).map_or(0, |finding| finding.places.len())
 }
 
 /// The segments that take each law, as people count them: from 1.

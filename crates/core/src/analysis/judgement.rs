@@ -2,7 +2,7 @@
 
 use super::Summary;
 use crate::arm::arm_cut;
-use crate::extreme::{extremes, intervals};
+use crate::extreme::{extremes, greatest_within, intervals};
 use crate::interference::crossing;
 use crate::samples::{Quantity, Samples};
 use crate::{Body, Cam, Closure, Extremes, Finding, FindingKind, Joint, Level, Program};
@@ -22,6 +22,7 @@ pub(super) fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[J
     let (mild, mut findings): (Vec<Finding>, Vec<Finding>) =
         jumps(cam, joints).into_iter().partition(|finding| finding.level < Level::Unacceptable);
     findings.extend(doubtful(&cam.program));
+    let unproved = not_proved(cam);
     findings.extend(steep(cam, samples, summary));
     findings.extend(below_base(cam, samples, summary));
     let mut cuts = irregular(cam, samples, summary);
@@ -33,6 +34,7 @@ pub(super) fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[J
         findings.extend(crossing(samples));
         findings.extend(arm_cut(cam, samples));
     }
+    findings.extend(unproved);
     findings.extend(mild);
     findings
 }
@@ -66,6 +68,15 @@ fn doubtful(program: &Program) -> impl Iterator<Item = Finding> {
     })
 }
 
+/// Formulas of which not every extreme is proved.
+fn not_proved(cam: &Cam) -> impl Iterator<Item = Finding> {
+    cam.program.stretches().iter().filter_map(|stretch| {
+        let (order, from, to) = stretch.unproved()?;
+        let kind = FindingKind::NotProved(order);
+        Some(Finding { level: kind.severity(cam.closure), ..finding(kind, from, 0.0, 0.0, Some((from, to))) })
+    })
+}
+
 fn steep(cam: &Cam, samples: &Samples, summary: &Summary) -> Option<Finding> {
     let limit = cam.follower.pressure_angle_limit();
     let (value, theta) = summary.pressure_angle.greatest_size();
@@ -96,18 +107,13 @@ fn irregular(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
     let kind = if cam.follower.is_flat() { FindingKind::ConcaveFlat } else { FindingKind::Undercut };
     let follower = &cam.follower;
     let stretches = intervals(cam, samples, Quantity::Bend, theta, |bend| -follower.regularity(bend));
-    let bends = samples.of_all(Quantity::Bend);
     let each = stretches.iter().map(|&(from, to)| {
-        let inside = (0..bends.len()).filter(|&i| within(cam, (from, to), samples.theta[i]));
-        let worst = inside.min_by(|&a, &b| follower.regularity(bends[a]).total_cmp(&follower.regularity(bends[b])));
-        let (value, at) = match worst {
-            _ if within(cam, (from, to), theta) => (least, theta),
-            Some(i) => (follower.profile_radius(bends[i]), samples.theta[i]),
-            // So short that no station falls in it: anywhere in it is as good.
-            None => {
-                let middle = (0.5 * (from + to)) % cam.program.span();
-                (follower.profile_radius(cam.at(middle).1.bend), middle)
-            }
+        let (value, at) = if within(cam, (from, to), theta) {
+            (least, theta)
+        } else {
+            let sign = if cam.follower.is_flat() { -1.0 } else { 1.0 };
+            let (bend, at) = greatest_within(cam, samples, Quantity::Bend, sign, (from, to));
+            (follower.profile_radius(bend), at)
         };
         finding(kind, at, value, 0.0, Some((from, to)))
     });
@@ -150,7 +156,7 @@ fn misplaced(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
 }
 
 pub(crate) fn finding(kind: FindingKind, theta: f64, value: f64, limit: f64, interval: Option<(f64, f64)>) -> Finding {
-    // Only jumps are ever less than unacceptable.
+    // Only jumps and what is not proved are ever less than unacceptable.
     Finding { kind, level: Level::Unacceptable, theta, interval, places: vec![theta], value, limit }
 }
 

@@ -161,14 +161,12 @@ fn rises(cam: &Cam, of: impl Fn(f64) -> f64) -> f64 {
     let back_too = cam.follower.drive == Drive::Travels;
     let mut sum = 0.0;
     for stretch in cam.program.stretches().iter().filter(|stretch| !stretch.is_still()) {
-        let part = (stretch.to - stretch.from) / PARTS as f64;
         let mut low = (stretch.from, stretch.at(stretch.from));
         let mut climb = |from: f64, to: f64| {
             let gain = of(to) - of(from);
             sum += if back_too { gain.abs() } else { gain.max(0.0) };
         };
-        for k in 1..=PARTS {
-            let theta = if k == PARTS { stretch.to } else { stretch.from + part * k as f64 };
+        for theta in stretch.places_and_steps(PARTS) {
             let high = (theta, stretch.at(theta));
             if low.1.v * high.1.v < 0.0 {
                 let turn = stretch.at(root(low.0, high.0, |theta| stretch.at(theta).v)).s;

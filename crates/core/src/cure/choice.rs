@@ -68,8 +68,7 @@ impl Joining {
             let open = if kept[k] { Meeting::Never } else { Meeting::Matched(0) };
             each.push([now, open, open]);
         }
-        let scale = |order: usize| program.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max);
-        Self { each, cycle: program.cycle(), scales: std::array::from_fn(scale) }
+        Self { each, cycle: program.cycle(), scales: program.sizes() }
     }
 
     /// True when a joint between two segments that cannot change jumps in an order up to the given one, whatever becomes of the others.

@@ -48,9 +48,9 @@ pub(super) fn law_cures(cam: &Cam, analysis: &Analysis, kind: FindingKind, repla
     for changes in proposals {
         let [fits, jump, below, peak_acceleration] = replay.values(|| {
             changed(program, &changes).map_or([0.0; 4], |program| {
-                let peak = program.look().map(|motion| motion.a.abs()).fold(0.0, f64::max);
                 let jump = lowest_jump(&program).map_or(-1.0, f64::from);
-                [1.0, jump, f64::from(u8::from(goes_below(program.look()))), peak]
+                let below = program.ranges()[0].0 < -BELOW_TOLERANCE;
+                [1.0, jump, f64::from(u8::from(below)), program.sizes()[2]]
             })
         });
         let lowest_jump = (jump >= 0.0).then_some(jump as u8);
@@ -105,7 +105,7 @@ fn harmless(cam: &Cam, before: &Analysis, changes: &Changes) -> bool {
     let low = before.findings.iter().any(|finding| finding.kind == FindingKind::BelowBase);
     (after.summary.s.max - lift).abs() <= tolerance * lift.abs()
         && after.findings.iter().all(|finding| match finding.kind {
-            FindingKind::Jump(_) | FindingKind::Doubtful => true,
+            FindingKind::Jump(_) | FindingKind::Doubtful | FindingKind::NotProved(_) => true,
             FindingKind::BelowBase => low,
             _ => !sound,
         })
@@ -176,11 +176,9 @@ fn smooth_proposals(program: &Program, kept: &[bool], order: u8) -> Vec<Changes>
 /// The changes in which a law of a fixed curve moves every segment that goes below the base circle, or a polynomial does. A kept
 /// segment that goes below leaves none.
 fn raised_proposals(program: &Program, kept: &[bool]) -> Vec<Changes> {
-    const PARTS: usize = 8;
     let mut low = vec![false; kept.len()];
     for stretch in program.stretches().iter().filter(|stretch| stretch.segment < kept.len()) {
-        let at = |i: usize| stretch.at(stretch.from + (stretch.to - stretch.from) * i as f64 / PARTS as f64);
-        low[stretch.segment] |= goes_below((0..=PARTS).map(at));
+        low[stretch.segment] |= stretch.ranges()[0].0 < -BELOW_TOLERANCE;
     }
     if low.iter().zip(kept).any(|(&low, &kept)| low && kept) {
         return Vec::new();
@@ -188,8 +186,4 @@ fn raised_proposals(program: &Program, kept: &[bool]) -> Vec<Changes> {
     let laws = LAWS.iter().copied().filter(|law| law.is_matched()).chain(standard_laws());
     let all = |law| low.iter().enumerate().filter(|(_, low)| **low).map(|(k, _)| (k, law)).collect::<Changes>();
     laws.map(all).filter(|changes| !changes.is_empty()).collect()
-}
-
-fn goes_below(mut motions: impl Iterator<Item = crate::Svaj>) -> bool {
-    motions.any(|motion| motion.s < -BELOW_TOLERANCE)
 }

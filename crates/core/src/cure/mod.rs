@@ -68,8 +68,8 @@ const BELIEVABLE_RATIO: f64 = 5.0;
 #[must_use]
 pub fn believable_sizes(cam: &Cam) -> (f64, f64) {
     let follower = &cam.follower;
-    let heights = || cam.program.look().map(|motion| motion.s);
-    let risen = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
+    let (low, high) = cam.program.ranges()[0];
+    let risen = high - low;
     let lever = match follower.body {
         Body::Slide => 1.0,
         Body::Swing { pivot } => follower.value("arm").unwrap_or(pivot.norm()),
@@ -104,7 +104,7 @@ pub fn prescribe_in_parts(cam: &Cam, analysis: &Analysis, replay: &Replay) -> Ve
             Vec::new()
         }
         FindingKind::Jump(_) | FindingKind::BelowBase => law_cures(cam, analysis, finding.kind, replay),
-        FindingKind::Doubtful => Vec::new(),
+        FindingKind::Doubtful | FindingKind::NotProved(_) => Vec::new(),
         FindingKind::PressureAngle if cam.follower.is_flat() && cam.follower.body == Body::Slide => {
             sizes.iter().cloned().map(by_face_angle).collect()
         }

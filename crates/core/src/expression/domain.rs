@@ -1,10 +1,14 @@
 //! Where an expression is defined: interval arithmetic over [0, 1], halved until every part is known to be sound.
 
-use super::{Constant, Expression, Function, Op, Variables, value_of};
+use super::{Constant, Expression, Function, Op, Roughness, RoughnessCause, Variables, value_of};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Values larger than this have derivatives that no cam has.
+/// A formula larger than this has derivatives that no cam has.
 const LARGEST: f64 = 1e12;
+
+/// An intermediate value may be larger, as the exponential in a logistic curve is; beyond this the third derivative of its reciprocal
+/// leaves the range of numbers.
+const LARGEST_WITHIN: f64 = 1e75;
 
 /// A divisor may not come closer to zero, nor an argument to the edge of where a function is smooth.
 const NEAREST: f64 = 1e-12;
@@ -15,33 +19,38 @@ const MOST_PARTS: usize = 4096;
 /// A part narrower than this that is not sound holds a place where the expression is not defined.
 const NARROWEST: f64 = 1e-9;
 
-/// Refuses an expression that is not smooth up to its third derivative somewhere in [0, 1]; tells where.
-pub(super) fn check(expression: &Expression, variables: &Variables) -> Result<(), f64> {
+/// Refuses an expression that is not smooth up to its third derivative somewhere in [0, 1]; returns where, and why.
+pub(super) fn check(expression: &Expression, variables: &Variables) -> Result<(), Roughness> {
+    let fault = |from: f64, to: f64| range(expression, variables, from, to).err();
     let mut parts = vec![(0.0, 1.0)];
     let mut looked = 0;
     while let Some((from, to)) = parts.pop() {
         looked += 1;
-        if range(expression, variables, from, to).is_some() {
-            continue;
-        }
+        let Some(cause) = fault(from, to) else { continue };
         let middle = 0.5 * (from + to);
         // The ends are where formulas fail most: 1/x, √x.
         for end in [from, to] {
-            if range(expression, variables, end, end).is_none() {
-                return Err(end);
+            if let Some(cause) = fault(end, end) {
+                return Err(Roughness { x: end, cause });
             }
         }
         if to - from < NARROWEST || looked > MOST_PARTS {
-            return Err(middle);
+            return Err(Roughness { x: middle, cause });
         }
         parts.extend([(middle, to), (from, middle)]);
     }
     Ok(())
 }
 
-/// Bounds of the expression for x from `from` to `to`; none when it may not be smooth there.
-fn range(expression: &Expression, variables: &Variables, from: f64, to: f64) -> Option<(f64, f64)> {
+/// Bounds of an expression over [0, 1], when it is smooth there.
+pub(super) fn bounds(expression: &Expression, variables: &Variables) -> Option<(f64, f64)> {
+    range(expression, variables, 0.0, 1.0).ok()
+}
+
+/// Bounds of the expression for x from `from` to `to`, or why it may not be smooth there.
+fn range(expression: &Expression, variables: &Variables, from: f64, to: f64) -> Result<(f64, f64), RoughnessCause> {
     let mut stack: Vec<(f64, f64)> = Vec::new();
+    let pop = |stack: &mut Vec<(f64, f64)>| stack.pop().ok_or(RoughnessCause::Edge);
     for op in &expression.ops {
         let bounds = match *op {
             Op::Number(value) => (value, value),
@@ -53,27 +62,43 @@ fn range(expression: &Expression, variables: &Variables, from: f64, to: f64) -> 
                 (value, value)
             }
             Op::Neg => {
-                let (low, high) = stack.pop()?;
+                let (low, high) = pop(&mut stack)?;
                 (-high, -low)
             }
-            Op::Call(function) => call(function, stack.pop()?)?,
+            Op::Call(function) => {
+                let argument = pop(&mut stack)?;
+                let root = function == Function::Sqrt && argument.1 >= 0.0;
+                call(function, argument).ok_or(if root { RoughnessCause::Power } else { RoughnessCause::Edge })?
+            }
             Op::Add | Op::Sub | Op::Mul | Op::Div | Op::Pow => {
-                let (right, left) = (stack.pop()?, stack.pop()?);
+                let (right, left) = (pop(&mut stack)?, pop(&mut stack)?);
                 match op {
                     Op::Add => (left.0 + right.0, left.1 + right.1),
                     Op::Sub => (left.0 - right.1, left.1 - right.0),
                     Op::Mul => product(left, right),
-                    Op::Div => product(left, reciprocal(right)?),
-                    _ => power(left, right)?,
+                    Op::Div => product(left, reciprocal(right).ok_or(RoughnessCause::Division)?),
+                    _ => power(left, right).ok_or(cause_of_power(left, right))?,
                 }
             }
         };
-        if !(bounds.0 >= -LARGEST && bounds.1 <= LARGEST) {
-            return None;
+        if !(bounds.0 >= -LARGEST_WITHIN && bounds.1 <= LARGEST_WITHIN) {
+            return Err(RoughnessCause::TooLarge);
         }
         stack.push(bounds);
     }
-    stack.pop()
+    let bounds = pop(&mut stack)?;
+    if bounds.0 >= -LARGEST && bounds.1 <= LARGEST { Ok(bounds) } else { Err(RoughnessCause::TooLarge) }
+}
+
+/// Why a power may not be smooth.
+fn cause_of_power(base: (f64, f64), exponent: (f64, f64)) -> RoughnessCause {
+    if exponent.0 == exponent.1 && exponent.0 < 0.0 {
+        RoughnessCause::Division
+    } else if base.1 >= 0.0 {
+        RoughnessCause::Power
+    } else {
+        RoughnessCause::Edge
+    }
 }
 
 fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {

@@ -4,19 +4,27 @@
 //! operations on a stack of its own.
 
 mod domain;
+mod enclosure;
+mod interval;
 mod jet;
 mod lengths;
 mod names;
 mod parse;
+mod powers;
 mod problem;
+mod survey;
 #[cfg(test)]
 mod tests;
 
-pub use problem::{ExpressionFault, ExpressionProblem, MAX_EXPRESSION};
+pub use survey::Unproved;
+
+pub use problem::{ExpressionFault, ExpressionProblem, MAX_EXPRESSION, Roughness, RoughnessCause};
 
 use crate::Svaj;
 use jet::Jet;
 use std::f64::consts::{E, LN_10, PI};
+use std::sync::{Arc, OnceLock};
+use survey::{Survey, survey};
 
 /// An expression that has been read.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,12 +45,13 @@ pub struct Variables {
 }
 
 /// An expression with its variables: s = k·f(x) + c.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Formula {
     expression: Expression,
     variables: Variables,
     scale: f64,
     shift: f64,
+    survey: Arc<OnceLock<Survey>>,
 }
 
 /// An operation of an expression; operands come before operators.
@@ -123,9 +132,16 @@ impl Expression {
     ///
     /// # Errors
     /// An x near which it, or one of its derivatives, is not defined.
-    pub fn with(self, variables: Variables) -> Result<Formula, f64> {
-        domain::check(&self, &variables)?;
-        Ok(Formula { expression: self, variables, scale: 1.0, shift: 0.0 })
+    pub fn with(self, variables: Variables) -> Result<Formula, Roughness> {
+        let checked = match domain::check(&self, &variables) {
+            Ok(()) => self,
+            Err(roughness) => {
+                let joined = powers::joined(&self, &variables);
+                domain::check(&joined, &variables).map_err(|_| roughness)?;
+                joined
+            }
+        };
+        Ok(Formula { expression: checked, variables, scale: 1.0, shift: 0.0, survey: Arc::default() })
     }
 
     fn at(&self, x: f64, variables: &Variables) -> Jet {
@@ -158,12 +174,49 @@ impl Expression {
     }
 }
 
+impl PartialEq for Formula {
+    /// The survey follows from the expression, and may not have been made yet.
+    fn eq(&self, other: &Self) -> bool {
+        let numbers = |formula: &Self| (formula.variables, formula.scale, formula.shift);
+        self.expression == other.expression && numbers(self) == numbers(other)
+    }
+}
+
 impl Formula {
     /// s and its three derivatives with respect to x.
     #[must_use]
     pub fn at(&self, x: f64) -> Svaj {
         let motion = self.expression.at(x, &self.variables).motion() * self.scale;
         Svaj { s: motion.s + self.shift, ..motion }
+    }
+
+    /// What is known about it over [0, 1], worked out when it is first asked for.
+    fn survey(&self) -> &Survey {
+        self.survey.get_or_init(|| survey(&self.expression, &self.variables))
+    }
+
+    /// Every x between 0 and 1, in order, at which it must be sampled so that nothing is missed.
+    #[must_use]
+    pub fn places(&self) -> &[f64] {
+        &self.survey().places
+    }
+
+    /// What could not be proved of its extremes, if anything.
+    #[must_use]
+    pub fn unproved(&self) -> Option<Unproved> {
+        self.survey().unproved
+    }
+
+    /// The lowest and the highest value of the derivative of that order, 0 to 3, with respect to x.
+    pub(crate) fn range(&self, order: usize) -> (f64, f64) {
+        let range = self.survey().ranges[order].times(self.scale);
+        let shift = if order == 0 { self.shift } else { 0.0 };
+        (range.low + shift, range.high + shift)
+    }
+
+    /// The error of rounding of the derivative of that order, 0 to 3, at x = 0 or at x = 1.
+    pub(crate) fn rounding(&self, order: usize) -> f64 {
+        self.survey().rounding.map(|end| end[order]).into_iter().fold(0.0, f64::max) * self.scale.abs()
     }
 
     /// k·s(x) + c.

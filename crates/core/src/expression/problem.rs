@@ -12,6 +12,28 @@ pub struct ExpressionProblem {
     pub kind: ExpressionFault,
 }
 
+/// Where an expression is not smooth up to its third derivative, and why.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Roughness {
+    /// The x.
+    pub x: f64,
+    /// Why.
+    pub cause: RoughnessCause,
+}
+
+/// Why an expression is not smooth up to its third derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RoughnessCause {
+    /// A fractional power below the third, or a root, of what becomes zero.
+    Power,
+    /// A division by what becomes zero.
+    Division,
+    /// A value too large to be computed with.
+    TooLarge,
+    /// The edge of where a function is defined.
+    Edge,
+}
+
 /// What can be wrong with the text of an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ExpressionFault {

@@ -88,17 +88,82 @@ fn what_is_not_smooth_everywhere_is_refused_where_it_is_not() {
         ("sqrt(0.5-x)", 1.0),
         ("sin(x)/x", 0.0),
     ] {
-        assert_eq!(refused(text), x, "{text}");
+        assert_eq!(refused(text).x, x, "{text}");
     }
     for (text, x) in
         [("1/(x-0,3)", 0.3), ("tan(πx)", 0.5), ("1/(x²-x+0,25)", 0.5), ("ln(x-0.25)", 0.0), ("1/cos(3x)", PI / 6.0)]
     {
-        let found = refused(text);
+        let found = refused(text).x;
         assert!((found - x).abs() < 1e-6, "{text}: {found}");
     }
     for text in ["x^3,5", "1/(x²-2x+2)", "sqrt(1+x)", "tan(x)", "e^x", "x^x + 1", "ln(1+x)^2", "cosh(x)/exp(x)"] {
         let sound = Expression::parse(text).expect(text).with(VARIABLES);
         assert_eq!(sound.is_ok(), text != "x^x + 1", "{text}: {sound:?}");
+    }
+}
+
+#[test]
+fn powers_of_one_base_are_judged_by_their_product() {
+    for (text, exponent) in [
+        ("(x^2.5)*x", 3.5),
+        ("sqrt(x^7)", 3.5),
+        ("x·sqrt(x)·x²", 3.5),
+        ("x^5/sqrt(x)", 4.5),
+        ("(x^1.5)^3", 4.5),
+        ("sqrt(x)·sqrt(x)", 1.0),
+        ("sqrt(4x^7)/2", 3.5),
+    ] {
+        let found = formula(text);
+        for x in [0.0_f64, 0.25, 1.0] {
+            assert!((found.at(x).s - x.powf(exponent)).abs() < 1e-14, "{text} at {x}: {}", found.at(x).s);
+        }
+        assert_eq!(found.at(0.0).j, 0.0, "{text}");
+    }
+    let logistic = formula("1/(1+exp(-60*(x-0.5)))");
+    assert!((logistic.at(0.5).v - 15.0).abs() < 1e-12 && logistic.at(0.0).s < 1e-12);
+}
+
+#[test]
+fn a_refusal_says_why_it_is_not_smooth() {
+    for (text, cause) in [
+        ("sqrt(x)", RoughnessCause::Power),
+        ("x^2,5", RoughnessCause::Power),
+        ("sqrt(x-x²)", RoughnessCause::Power),
+        ("1/x", RoughnessCause::Division),
+        ("x^-1", RoughnessCause::Division),
+        ("1/(1+exp(-600(x-0.5)))", RoughnessCause::TooLarge),
+        ("ln(x)", RoughnessCause::Edge),
+        ("sqrt(x-2)", RoughnessCause::Edge),
+    ] {
+        let refusal = Expression::parse(text).expect(text).with(VARIABLES).expect_err(text);
+        assert_eq!(refusal.cause, cause, "{text}");
+    }
+}
+
+#[test]
+fn enclosures_hold_the_derivatives_of_random_expressions() {
+    let mut seed = 19;
+    let mut stack = Vec::new();
+    for _ in 0..300 {
+        let tree = Tree::random(&mut seed, 3);
+        let expression = Expression::parse(&tree.text()).expect("it is written as it is read");
+        let from = 0.01 * (seed % 97) as f64;
+        let part = interval::Interval::between(from, from + 0.03);
+        let bounds = enclosure::Enclosure::of(&expression, part, &VARIABLES, &mut stack).derivatives();
+        let mut derivative = tree.clone();
+        for (order, bounds) in bounds.iter().enumerate() {
+            for i in 0..=6 {
+                let value = derivative.value(from + 0.005 * f64::from(i));
+                let error = 1e-9 * value.abs().max(1e-9);
+                let inside = !value.is_finite() || bounds.low - error <= value && value <= bounds.high + error;
+                assert!(inside, "{}, order {order}: {value} is not in {bounds:?}", tree.text());
+            }
+            if order < 4 {
+                derivative = derivative.derivative();
+            } else {
+                break;
+            }
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{MAX_LAW_PARAMETERS, Piece};
 use crate::Svaj;
-use crate::expression::ExpressionProblem;
+use crate::expression::{ExpressionProblem, Roughness};
 
 /// A value that *s* or one of its derivatives takes somewhere in a segment.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -192,10 +192,7 @@ pub enum DataProblem {
     /// A text that is no expression.
     Expression(ExpressionProblem),
     /// An expression that is not smooth near some x.
-    Undefined {
-        /// The x.
-        x: f64,
-    },
+    Rough(Roughness),
     /// Not one of them says a height, so that any would do.
     NoHeight,
     /// No single curve meets them: these depend on each other.

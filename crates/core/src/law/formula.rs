@@ -15,7 +15,7 @@ fn pieces(given: &Given) -> Result<Solved, DataProblem> {
     let Data::Expression(text) = given.data else { return Err(DataProblem::Kind) };
     let expression = Expression::parse(text).map_err(DataProblem::Expression)?;
     let variables = Variables { beta: given.beta, rise: given.rise, start: given.start };
-    let formula = expression.with(variables).map_err(|x| DataProblem::Undefined { x })?;
+    let formula = expression.with(variables).map_err(DataProblem::Rough)?;
     Ok(Solved { pieces: vec![Piece::new(1.0, formula)], condition: 1.0 })
 }
 

@@ -43,8 +43,7 @@ impl Program {
     /// A difference is a jump when it is more than rounding beside the greatest value of its derivative in the program.
     #[must_use]
     pub fn classified_joints(&self) -> Vec<Joint> {
-        let scales: [f64; 4] =
-            std::array::from_fn(|order| self.look().map(|motion| motion.order(order).abs()).fold(0.0, f64::max));
+        let scales = self.sizes();
         let n = self.stretches.len();
         let classify = |(i, (theta, stretch, before, after)): (usize, (f64, &Stretch, Svaj, Svaj))| {
             let sides = [&self.stretches[(i + n - 1) % n], stretch];

@@ -194,11 +194,17 @@ impl Program {
         let snap = self.snap();
         self.stretches.partition_point(|stretch| stretch.to <= theta + snap).min(self.stretches.len() - 1)
     }
-    /// Motion at a few places of every stretch, both ends included: enough to know how large things are.
-    pub(crate) fn look(&self) -> impl Iterator<Item = Svaj> {
-        const PARTS: usize = 8;
-        self.stretches.iter().flat_map(|stretch| {
-            (0..=PARTS).map(move |i| stretch.at(stretch.from + (stretch.to - stretch.from) * i as f64 / PARTS as f64))
+
+    /// The lowest and the highest value of *s*, *v*, *a* and *j*, as [`Stretch::ranges`] has them.
+    pub(crate) fn ranges(&self) -> [(f64, f64); 4] {
+        let nothing = [(f64::INFINITY, f64::NEG_INFINITY); 4];
+        self.stretches.iter().map(Stretch::ranges).fold(nothing, |all, own| {
+            std::array::from_fn(|order| (all[order].0.min(own[order].0), all[order].1.max(own[order].1)))
         })
+    }
+
+    /// The largest absolute value of *s*, *v*, *a* and *j*.
+    pub(crate) fn sizes(&self) -> [f64; 4] {
+        self.ranges().map(|(low, high)| low.abs().max(high.abs()))
     }
 }

@@ -6,7 +6,7 @@ use crate::limits::{BETA, MAX_SEGMENTS, RISE};
 use crate::report::tidy;
 use crate::{CamRefusal, DataRefusal, Design, DesignError, Measure, Path, Problem, ProgramRefusal, SegmentDesign};
 use levalab_core::law::DataProblem;
-use levalab_core::{GeometryError, GeometryProblem, Misfit, ProgramError, ProgramProblem, Quantity};
+use levalab_core::{GeometryError, GeometryProblem, Misfit, ProgramError, ProgramProblem, Quantity, Roughness};
 
 impl Design {
     pub(super) fn program_error(&self, ProgramError { segment, problem }: ProgramError) -> DesignError {
@@ -91,7 +91,7 @@ impl Design {
             }
             DataProblem::Unordered { item } => (list.join(item).join(0), DataRefusal::Unordered),
             DataProblem::Expression(problem) => (list, DataRefusal::Expression(problem)),
-            DataProblem::Undefined { x } => (list, DataRefusal::Undefined { x: tidy(x) }),
+            DataProblem::Rough(Roughness { x, cause }) => (list, DataRefusal::Undefined { x: tidy(x), cause }),
             DataProblem::NoHeight => (list, DataRefusal::NoHeight),
             DataProblem::Dependent { items } => (list, DataRefusal::Dependent { items }),
             DataProblem::Kind => return DesignError::at(list, Problem::Missing),

@@ -1,7 +1,7 @@
 //! What can be wrong with the data of a free law.
 
 use crate::Measure;
-use levalab_core::ExpressionProblem;
+use levalab_core::{ExpressionProblem, RoughnessCause};
 
 /// What can be wrong with the data of a free law. Angles are in degrees and lengths in the unit of the design.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +69,8 @@ pub enum DataRefusal {
     Undefined {
         /// The x.
         x: f64,
+        /// Why.
+        cause: RoughnessCause,
     },
     /// A rise that is not what the data of the segment come to.
     RiseDisagrees {

@@ -1,7 +1,7 @@
 //! The data of free laws.
 
 use crate::{check, refusal};
-use levalab_core::ExpressionFault;
+use levalab_core::{ExpressionFault, RoughnessCause};
 use levalab_format::{DataRefusal, Kind, Measure, Problem};
 use serde_json::{Value, json};
 
@@ -116,7 +116,7 @@ fn tables_ordinates_and_formulas_that_make_no_curve_are_placed() {
         |refusal| matches!(refusal, DataRefusal::Expression(problem) if problem.at == 8 && problem.kind == ExpressionFault::Ends),
     );
     check_data(formula("10 sqrt(x)"), "segments[0].expression", |refusal| {
-        matches!(refusal, DataRefusal::Undefined { .. })
+        matches!(refusal, DataRefusal::Undefined { cause: RoughnessCause::Power, .. })
     });
     check("/segments/0", formula("L x"), "segments[0].rise", |problem| *problem == Problem::Missing);
 }

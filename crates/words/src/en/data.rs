@@ -2,7 +2,7 @@
 
 use super::EN;
 use crate::voice::{measured, row};
-use levalab_core::{ExpressionFault, ExpressionProblem};
+use levalab_core::{ExpressionFault, ExpressionProblem, RoughnessCause};
 use levalab_format::{DataRefusal, quoted};
 
 pub(super) fn refusal(refusal: &DataRefusal) -> String {
@@ -55,8 +55,24 @@ pub(super) fn refusal(refusal: &DataRefusal) -> String {
         }
         DataRefusal::Unordered => "The point does not come after the one before it.".to_owned(),
         DataRefusal::Expression(problem) => expression(problem),
-        DataRefusal::Undefined { x } => {
-            format!("The formula is not smooth up to its third derivative near x = {}.", EN.number(*x))
+        DataRefusal::Undefined { x, cause } => {
+            let x = EN.number(*x);
+            match cause {
+                RoughnessCause::Power => format!(
+                    "The formula is not smooth up to its third derivative near x = {x}: it has a root, or a fractional power below 3, of what is zero there. Join the powers of one base into a single one of 3 or more, such as x^3.5."
+                ),
+                RoughnessCause::Division => {
+                    format!(
+                        "The formula divides by zero near x = {x}: simplify the fraction, or move the zero of its divisor out of the segment."
+                    )
+                }
+                RoughnessCause::TooLarge => format!(
+                    "A value within the formula is too large to be computed with near x = {x}: a steep step is written with tanh, such as L(1+tanh(500(x-0.5)))/2."
+                ),
+                RoughnessCause::Edge => format!(
+                    "The formula is not smooth up to its third derivative near x = {x}, at the edge of where one of its functions is defined."
+                ),
+            }
         }
         DataRefusal::RiseDisagrees { found, expected, measure } => {
             let [found, expected] = [found, expected].map(|value| measured(*value, *measure, EN));

@@ -62,6 +62,17 @@ pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
                 "{around} the profile would have to be hollow, which a flat face cannot touch: the radius of curvature falls to {value} at {at}."
             )
         }
+        FindingKind::NotProved(order) => {
+            let what = match order {
+                0 => "the displacement and its derivatives",
+                1 => "the velocity, the acceleration and the jerk",
+                2 => "the acceleration and the jerk",
+                _ => "the jerk",
+            };
+            format!(
+                "{around} the formula varies so fast that the limit of the calculation was reached before the extremes of {what} were proved: they, and what follows from them, may be larger than shown."
+            )
+        }
         FindingKind::Doubtful => {
             format!(
                 "{around} the conditions hardly determine the curve: the least rounding of one of them changes its shape, and its figures cannot be trusted."
@@ -187,7 +198,9 @@ fn passing(kind: FindingKind, units: Units) -> &'static str {
         FindingKind::PivotInsideCam => "the cam clears the pivot",
         FindingKind::FaceOvertaken => "the face keeps its contact",
         FindingKind::ContactPastPivot => "the contact stays on its side of the pivot",
-        FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::Doubtful => "the cam is sound",
+        FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::Doubtful | FindingKind::NotProved(_) => {
+            "the cam is sound"
+        }
     }
 }
 

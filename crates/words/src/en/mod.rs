@@ -4,7 +4,7 @@ mod data;
 mod finding;
 mod problem;
 
-use crate::voice::{FileProblem, Voice, row, worst_kinds};
+use crate::voice::{FileProblem, Voice, joints_of_the_jerk, row, worst_kinds};
 use crate::{Language, Units};
 use levalab_core::{FindingKind, Level};
 use levalab_format::link::{LinkError, TooLong};
@@ -93,8 +93,14 @@ impl Voice for English {
             Level::Acceptable => {
                 "Acceptable: the motion is smooth up to the jerk, and the profile is sound.".to_owned()
             }
-            Level::LowSpeed if joints == 1 => "Not for high speeds: the jerk jumps at one joint.".to_owned(),
-            Level::LowSpeed => format!("Not for high speeds: the jerk jumps at {joints} joints."),
+            Level::LowSpeed if joints_of_the_jerk(report) == 0 => {
+                "Not for high speeds until it is proved: the limit of the calculation was reached before every extreme was certain."
+                    .to_owned()
+            }
+            Level::LowSpeed if joints_of_the_jerk(report) == 1 => "Not for high speeds: the jerk jumps at one joint.".to_owned(),
+            Level::LowSpeed => {
+                format!("Not for high speeds: the jerk jumps at {} joints.", joints_of_the_jerk(report))
+            }
             Level::Unacceptable => {
                 let reasons: Vec<String> =
                     worst_kinds(report).into_iter().map(|kind| reason(kind).to_owned()).collect();
@@ -165,6 +171,7 @@ fn reason(kind: FindingKind) -> &'static str {
         FindingKind::Undercut => "the profile is undercut",
         FindingKind::GrooveUndercut => "the outer wall of the groove is undercut",
         FindingKind::ConcaveFlat => "the flat face cannot follow the profile",
+        FindingKind::NotProved(_) => "not every extreme is proved",
         FindingKind::Doubtful => "the conditions hardly determine a curve",
         FindingKind::BelowBase => "the follower goes below the base circle",
         FindingKind::SelfCrossing => "the profile crosses itself",

@@ -2,7 +2,7 @@
 
 use super::ES;
 use crate::voice::{measured, row};
-use levalab_core::{ExpressionFault, ExpressionProblem};
+use levalab_core::{ExpressionFault, ExpressionProblem, RoughnessCause};
 use levalab_format::{DataRefusal, quoted};
 
 pub(super) fn refusal(refusal: &DataRefusal) -> String {
@@ -60,8 +60,24 @@ pub(super) fn refusal(refusal: &DataRefusal) -> String {
         }
         DataRefusal::Unordered => "El punto no viene después del anterior.".to_owned(),
         DataRefusal::Expression(problem) => expression(problem),
-        DataRefusal::Undefined { x } => {
-            format!("La fórmula no es suave hasta la tercera derivada cerca de x = {}.", ES.number(*x))
+        DataRefusal::Undefined { x, cause } => {
+            let x = ES.number(*x);
+            match cause {
+                RoughnessCause::Power => format!(
+                    "La fórmula no es suave hasta la tercera derivada cerca de x = {x}: contiene una raíz, o una potencia fraccionaria menor que 3, de algo que allí se anula. Reúna las potencias de una misma base en una sola de exponente 3 o mayor, como x^3,5."
+                ),
+                RoughnessCause::Division => {
+                    format!(
+                        "La fórmula divide entre cero cerca de x = {x}: simplifique la fracción, o saque del tramo el cero del divisor."
+                    )
+                }
+                RoughnessCause::TooLarge => format!(
+                    "Un valor intermedio de la fórmula es demasiado grande para calcular con él cerca de x = {x}: un escalón brusco se escribe con tanh, como L(1+tanh(500(x-0,5)))/2."
+                ),
+                RoughnessCause::Edge => format!(
+                    "La fórmula no es suave hasta la tercera derivada cerca de x = {x}, en el borde del dominio de una de sus funciones."
+                ),
+            }
         }
         DataRefusal::RiseDisagrees { found, expected, measure } => {
             let [found, expected] = [found, expected].map(|value| measured(*value, *measure, ES));

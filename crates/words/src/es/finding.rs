@@ -61,6 +61,17 @@ pub(super) fn finding(finding: &DesignFinding, units: Units) -> String {
                 "{around} el perfil tendría que ser cóncavo, y una cara plana no puede tocarlo: el radio de curvatura baja a {value} en {at}."
             )
         }
+        FindingKind::NotProved(order) => {
+            let what = match order {
+                0 => "del desplazamiento y de sus derivadas",
+                1 => "de la velocidad, la aceleración y la sobreaceleración",
+                2 => "de la aceleración y la sobreaceleración",
+                _ => "de la sobreaceleración",
+            };
+            format!(
+                "{around} la fórmula varía tan deprisa que se alcanzó el límite de cálculo sin demostrar los extremos {what}: ellos, y lo que de ellos depende, pueden ser mayores que los mostrados."
+            )
+        }
         FindingKind::Doubtful => {
             format!(
                 "{around} las condiciones apenas determinan la curva: el menor redondeo de una de ellas le cambia la forma, y sus cifras no son de fiar."
@@ -190,7 +201,9 @@ fn passing(kind: FindingKind, units: Units) -> &'static str {
         FindingKind::PivotInsideCam => "la leva no llega a la articulación",
         FindingKind::FaceOvertaken => "la cara no pierde el contacto",
         FindingKind::ContactPastPivot => "el contacto no pasa al otro lado de la articulación",
-        FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::Doubtful => "la leva es correcta",
+        FindingKind::Jump(_) | FindingKind::BelowBase | FindingKind::Doubtful | FindingKind::NotProved(_) => {
+            "la leva es correcta"
+        }
     }
 }
 

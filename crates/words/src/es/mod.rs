@@ -4,7 +4,7 @@ mod data;
 mod finding;
 mod problem;
 
-use crate::voice::{FileProblem, Voice, row, worst_kinds};
+use crate::voice::{FileProblem, Voice, joints_of_the_jerk, row, worst_kinds};
 use crate::{Language, Units};
 use levalab_core::{FindingKind, Level};
 use levalab_format::link::{LinkError, TooLong};
@@ -97,10 +97,15 @@ impl Voice for Spanish {
             Level::Acceptable => {
                 "Aceptable: el movimiento es suave hasta la sobreaceleración y el perfil es correcto.".to_owned()
             }
-            Level::LowSpeed if joints == 1 => {
+            Level::LowSpeed if joints_of_the_jerk(report) == 0 => {
+                "No apta para altas velocidades mientras no se demuestre: se alcanzó el límite de cálculo sin asegurar todos los extremos."
+                    .to_owned()
+            }
+            Level::LowSpeed if joints_of_the_jerk(report) == 1 => {
                 "No apta para altas velocidades: la sobreaceleración salta en una unión.".to_owned()
             }
             Level::LowSpeed => {
+                let joints = joints_of_the_jerk(report);
                 format!("No apta para altas velocidades: la sobreaceleración salta en {joints} uniones.")
             }
             Level::Unacceptable => {
@@ -177,6 +182,7 @@ fn reason(kind: FindingKind) -> &'static str {
         FindingKind::Undercut => "el perfil tiene rebaje",
         FindingKind::GrooveUndercut => "la pared exterior de la ranura tiene rebaje",
         FindingKind::ConcaveFlat => "la cara plana no puede seguir el perfil",
+        FindingKind::NotProved(_) => "no se han demostrado todos los extremos",
         FindingKind::Doubtful => "las condiciones apenas determinan una curva",
         FindingKind::BelowBase => "el seguidor baja de la circunferencia base",
         FindingKind::SelfCrossing => "el perfil se corta a sí mismo",
