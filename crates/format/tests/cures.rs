@@ -258,3 +258,24 @@ fn a_size_out_of_proportion_is_an_advice_and_no_cure() {
     assert_eq!(sizes, 0, "{:?}", cures[steep]);
     assert!(matches!(cures[steep].last().map(|cure| &cure.remedy), Some(Remedy::NoSize { needed: Some(_), .. })));
 }
+
+#[test]
+fn the_number_of_looks_does_not_grow_with_the_number_of_segments() {
+    // Every look at a cam is linear in its segments, so the whole search is.
+    let looks = |count: usize| {
+        let beta = 360.0 / count as f64;
+        let part = |k: usize| {
+            let rise = if k % 2 == 0 { 5 } else { -5 };
+            format!(r#"{{"law":"skewed-scca","beta":{beta},"rise":{rise},"b":0.25,"c":0.25,"crossover":0.4}}"#)
+        };
+        let design = with_segments(&(0..count).map(part).collect::<Vec<_>>().join(","));
+        let cam = design.cam().expect("a cam");
+        let analysis = Analysis::of(&cam, 1);
+        // A sound cam needs no search for its size, so both must be steep.
+        assert!(analysis.findings.iter().any(|finding| finding.kind == FindingKind::PressureAngle), "{count}");
+        let mut job = CureJob::default();
+        (1..).find(|_| job.step(&design, &cam, &analysis, 1).is_some()).expect("it ends")
+    };
+    let (few, many) = (looks(32), looks(64));
+    assert!(many < 200 && 2 * many < 3 * few, "{few} looks for 32 segments, {many} for 64");
+}
