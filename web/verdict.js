@@ -151,7 +151,7 @@ export function mount(root, context) {
     const end = headline.indexOf(":") + 1;
     if (end === 0) return [headline, ""];
     const reason = headline.slice(end).trim();
-    return [headline.slice(0, end), cam === undefined ? reason : t("verdict.cam", { number: cam, text: reason })];
+    return [cam === undefined ? headline.slice(0, end) : t("verdict.cam.headline", { number: cam, verdict: headline.slice(0, end - 1) }), reason];
   }
 
   word.tabIndex = -1;

@@ -9,10 +9,10 @@ export const AT = Object.freeze({
   s: 0, v: 1, a: 2, j: 3,
   pressureAngle: 4, rho: 5, rhoPitch: 6, contact: 7, sliding: 8,
   contactX: 9, contactY: 10, traceX: 11, traceY: 12, normalX: 13, normalY: 14, centreX: 15, centreY: 16,
-  segment: 17, V: 18, A: 19, J: 20, t: 21,
+  segment: 17, V: 18, A: 19, J: 20, t: 21, slidingTimed: 22,
 });
 
-const LENGTH = 22;
+const LENGTH = 23;
 
 /** @returns {Float64Array} */
 export const newInstant = () => new Float64Array(LENGTH);

@@ -117,6 +117,12 @@ pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
         let outputs = set.application.outputs.iter();
         columns.extend(outputs.map(|output| (output.id.to_owned(), set.column(design, &analysis, output))));
     }
+    for (name, values) in &mut columns {
+        // A radius of curvature has no scale to compare with, since it may be infinite.
+        if !name.contains("rho") {
+            without_rounding(values);
+        }
+    }
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut text = names.join(",") + "\n";
     for row in 0..=samples {
@@ -128,6 +134,16 @@ pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
         text.push('\n');
     }
     text
+}
+
+/// Makes 0 of what is rounding compared with the maximum of its column.
+fn without_rounding(values: &mut [f64]) {
+    /// Sums of a dozen terms leave some 10⁻¹⁵ of the largest one.
+    const ROUNDING: f64 = 1e-13;
+    let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    for value in values.iter_mut().filter(|value| value.abs() <= ROUNDING * largest) {
+        *value = 0.0;
+    }
 }
 
 fn applied(design: &Design, cam: &Cam, set: &ApplicationDesign, samples: usize) -> Applied {

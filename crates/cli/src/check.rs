@@ -110,7 +110,7 @@ fn judge(file: &str, language: Language) -> Judged {
             } else {
                 String::new()
             };
-            (level.max(worse), format!("{text}{}: {more}{one}", levalab_words::second_cam(language)))
+            (level.max(worse), text + &levalab_words::of_second_cam(language, &more) + &one)
         }
         None => (level, text),
     };

@@ -37,7 +37,7 @@ pub fn designs(files: &[String], language: Language) -> Result<String, Failure> 
         }
         let figures = Figures::of(&design, &cams.first, &Analysis::of(&cams.first, 1));
         let name = if design.title.is_empty() { file.clone() } else { design.title.clone() };
-        let radius = length(&design, Some(design.base_radius), language);
+        let radius = length(&design, design.kind.travel().is_none().then_some(design.base_radius), language);
         rows.push(line([name, radius], &design, &figures, language));
     }
     Ok(table(&rows))
@@ -114,7 +114,7 @@ fn length(design: &Design, value: Option<f64>, language: Language) -> String {
 /// for its head is left out.
 fn table(rows: &[Vec<String>]) -> String {
     let columns = rows.first().map_or(0, Vec::len);
-    let told = |&column: &usize| column < 2 || rows.iter().skip(1).any(|row| row[column] != "–");
+    let told = |&column: &usize| column == 0 || rows.iter().skip(1).any(|row| row[column] != "–");
     let shown: Vec<(usize, usize)> = (0..columns)
         .filter(told)
         .map(|column| (column, rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0)))

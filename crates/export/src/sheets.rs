@@ -3,7 +3,7 @@
 use crate::application_sheet::{application, columns};
 use crate::table::{Measure, Table};
 use crate::verdict_sheet::verdict;
-use crate::words::{Word, field, law_alone};
+use crate::words::{Word, field};
 use crate::{Step, Subject};
 use levalab_core::{Analysis, FOLLOWERS, LAWS, Law, Parameter, Quantity};
 use levalab_words::Language;
@@ -111,7 +111,7 @@ fn by_angle(subject: &Subject, which: Table, step: Step) -> Option<Vec<Row>> {
         for &measure in which.measures().iter().filter(|measure| !shared(**measure)) {
             let Some(values) = measure.values(subject, &analysis) else { continue };
             let head = measure.head(subject);
-            let head = if k == 0 { head } else { format!("{}: {head}", levalab_words::second_cam(subject.language)) };
+            let head = if k == 0 { head } else { levalab_words::of_second_cam(subject.language, &head) };
             table.push((head, tidy(measure, values)));
         }
         if let Some(set) = subject.design.application.as_ref().filter(|_| k == 0 && which == Table::Everything) {
@@ -205,7 +205,8 @@ fn segments(subject: &Subject, segments: &Value) -> Vec<Row> {
     let borders = subject.cam.program.borders();
     for (number, (segment, from)) in segments.iter().zip(borders).enumerate() {
         let law = segment["law"].as_str().unwrap_or_default();
-        let law = Law::by_id(law).map_or(law.to_owned(), |law| law_alone(levalab_words::law(language, law)));
+        let law = Law::by_id(law)
+            .map_or(law.to_owned(), |law| levalab_words::capital(levalab_words::law_alone(language, law)));
         let told = [
             Cell::Number(number as f64 + 1.0),
             Cell::Text(law),

@@ -39,13 +39,12 @@ impl<'a> Subject<'a> {
     pub(crate) fn unit(&self, order: u8, by_time: bool) -> String {
         let length = self.design.length_unit.symbol();
         let s = if self.design.is_oscillating() { "°" } else { length };
-        let by = if by_time {
-            "s"
-        } else if self.travels() {
-            length
-        } else {
-            "rad"
-        };
+        // A length by a length is a number.
+        if self.travels() && !by_time && order > 0 {
+            return [String::new(), format!("1/{length}"), format!("1/{length}²")][usize::from(order - 1).min(2)]
+                .clone();
+        }
+        let by = if by_time { "s" } else { "rad" };
         match order {
             0 => s.to_owned(),
             1 => format!("{s}/{by}"),

@@ -180,7 +180,10 @@ impl Measure {
             Self::X | Self::PitchX | Self::OuterX | Self::Y | Self::PitchY | Self::OuterY => ours.to_owned(),
             _ => Signs::of(subject.design.notation).plain(ours),
         };
-        format!("{} {symbol} ({})", word.said(subject.language), self.unit(subject))
+        match self.unit(subject) {
+            unit if unit.is_empty() => format!("{} {symbol}", word.said(subject.language)),
+            unit => format!("{} {symbol} ({unit})", word.said(subject.language)),
+        }
     }
 
     fn symbol(self) -> &'static str {

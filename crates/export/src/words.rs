@@ -1,6 +1,6 @@
 //! The words that stand in files: names of sheets, heads of columns, labels of drawings, in every language.
 
-use levalab_words::{Language, capital, two};
+use levalab_words::{Language, two};
 
 /// Something that has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -172,9 +172,4 @@ pub(crate) fn field(key: &str, language: Language) -> &str {
         _ => return key,
     };
     two(en, es).within(language)
-}
-
-/// The name of a law where it stands alone, and not within a sentence as `la ley de seno modificado`.
-pub(crate) fn law_alone(name: &str) -> String {
-    capital(name.strip_prefix("de ").unwrap_or(name))
 }

@@ -4,14 +4,14 @@ use levalab_core::{Cam, Motion};
 use std::f64::consts::TAU;
 
 /// How many numbers [`fill`] writes.
-pub const LENGTH: usize = 22;
+pub const LENGTH: usize = 23;
 
 /// Writes the instant at θ (degrees, any turn) of a cam turning at `omega` rad/s; or at x (length) of one that travels at so much
 /// length per second.
 ///
 /// 0 s, 1 v, 2 a, 3 j (per radian; degrees for an oscillating follower), 4 φ in degrees, 5 ρ, 6 ρp, 7 contact on a flat face,
 /// 8 sliding velocity (length per radian), 9–10 contact point, 11–12 trace point, 13–14 outward unit normal, 15–16 centre of
-/// curvature, 17 segment, 18 V, 19 A, 20 J (per second), 21 seconds since θ = 0. The fixed frame has its origin at the cam's centre
+/// curvature, 17 segment, 18 V, 19 A, 20 J (per second), 21 seconds since θ = 0, 22 sliding velocity (length per second). The fixed frame has its origin at the cam's centre
 /// and the follower on top. What does not apply is NaN.
 pub fn fill(cam: &Cam, omega: f64, place: f64, out: &mut [f64]) {
     let Some(out) = out.first_chunk_mut::<LENGTH>() else { return };
@@ -52,5 +52,6 @@ pub fn fill(cam: &Cam, omega: f64, place: f64, out: &mut [f64]) {
         a * omega * omega,
         j * omega.powi(3),
         theta / omega,
+        contact.sliding * omega,
     ];
 }

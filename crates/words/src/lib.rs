@@ -147,6 +147,14 @@ pub fn second_cam(language: Language) -> &'static str {
     language.voice().second_cam()
 }
 
+/// Something said of the second cam of a pair in one line: its own beginning goes on in the sentence, without its capital.
+#[must_use]
+pub fn of_second_cam(language: Language, text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map_or_else(String::new, |first| first.to_lowercase().collect());
+    format!("{}, {first}{}", second_cam(language), letters.as_str())
+}
+
 /// A note on a pair whose two profiles are one.
 #[must_use]
 pub fn profiles_coincide(language: Language) -> &'static str {

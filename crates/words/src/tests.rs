@@ -308,3 +308,36 @@ fn a_law_stands_alone_without_the_word_that_leads_to_it() {
     let alone: Vec<_> = LAWS.iter().take(2).map(|law| law_alone(Language::Es, law)).collect();
     assert_eq!(alone, ["detenimiento", "velocidad constante"]);
 }
+
+/// The names in the page's menu are the names in its sentences, with a capital.
+#[test]
+fn a_law_has_one_name_on_every_screen() {
+    let page = [
+        (Language::En, include_str!("../../../web/strings/en.js")),
+        (Language::Es, include_str!("../../../web/strings/es.js")),
+    ];
+    for (language, strings) in page {
+        for law in LAWS {
+            let head = format!("\"law.{}\": \"", law.id);
+            let shown = strings.split(&head).nth(1).and_then(|rest| rest.split('"').next());
+            assert_eq!(shown, Some(capital(law_alone(language, law)).as_str()), "{}", law.id);
+        }
+    }
+}
+
+#[test]
+fn a_cam_that_lifts_nothing_is_said_not_to_move() {
+    let mut design = example("9RT").expect("9RT");
+    design.segments.iter_mut().for_each(|segment| segment.rise = 0.0);
+    let cam = design.cam().expect("a cam");
+    let report = Report::of(&design, &cam, &Analysis::of(&cam, 1));
+    assert!(headline(Language::En, &report).contains("nothing moves"), "{}", headline(Language::En, &report));
+    assert!(headline(Language::Es, &report).contains("nada se mueve"), "{}", headline(Language::Es, &report));
+}
+
+#[test]
+fn what_is_said_of_the_second_cam_goes_on_in_its_sentence() {
+    let said = of_second_cam(Language::En, "Unacceptable: the pressure angle is too large.");
+    assert_eq!(said, "Second cam, unacceptable: the pressure angle is too large.");
+    assert_eq!(of_second_cam(Language::Es, "Aceptable: todo va bien."), "Segunda leva, aceptable: todo va bien.");
+}

@@ -1,7 +1,7 @@
 //! What a language has to be able to say.
 
 use crate::{Language, Units};
-use levalab_core::{FindingKind, Law, Level};
+use levalab_core::{Column, FindingKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Measure, Problem, Remedy};
@@ -97,6 +97,11 @@ pub(crate) fn measured(value: f64, measure: Measure, language: Language) -> Stri
         Measure::Degrees => number + "°",
         Measure::Length | Measure::Ratio | Measure::Speed => number,
     }
+}
+
+/// True when the follower rests in the whole cycle.
+pub(crate) fn rests(report: &Report) -> bool {
+    report.range(Column::S).is_some_and(|range| range.min == 0.0 && range.max == 0.0)
 }
 
 /// The kinds of finding that a headline names, each once, without the jerk's when there is worse.

@@ -13,8 +13,8 @@ const TEXT = 4.4;
 export function verdict({ store, lab, t }) {
   const { verdict: first, conjugate } = store.state.report;
   const second = conjugate?.verdict;
-  const headline = second ? `${first.headline} ${t("report.second")}: ${second.headline}` : first.headline;
-  const findings = [...first.findings, ...(second?.findings ?? []).map((finding) => ({ ...finding, message: `${t("report.second")}: ${finding.message}` }))];
+  const headline = second ? `${first.headline} ${t("report.second")}. ${second.headline}` : first.headline;
+  const findings = [...first.findings, ...(second?.findings ?? []).map((finding) => ({ ...finding, message: `${t("report.second")}. ${finding.message}` }))];
   const cures = lab().cures(store.state.language);
   const items = findings.map(({ message }, i) => h("li", {}, message, ...(cures[i] ?? []).map((cure) => h("p", { class: "cure" }, `→ ${cure.message}`))));
   const texts = [headline, ...findings.map(({ message }) => message), ...cures.flat().map(({ message }) => message)];

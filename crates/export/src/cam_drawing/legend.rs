@@ -119,5 +119,5 @@ fn name(subject: &Subject, curve: &Curve) -> String {
         Shape::Closed(_) | Shape::Open(_) => String::new(),
     };
     let name = format!("{}{radius}", word.said(language));
-    if curve.second { format!("{}: {}", levalab_words::second_cam(language), name) } else { name }
+    if curve.second { levalab_words::of_second_cam(language, &name) } else { name }
 }

@@ -4,7 +4,7 @@ mod data;
 mod finding;
 mod problem;
 
-use crate::voice::{FileProblem, Voice, joints_of_the_jerk, row, worst_kinds};
+use crate::voice::{FileProblem, Voice, joints_of_the_jerk, rests, row, worst_kinds};
 use crate::{Language, Units};
 use levalab_core::{FindingKind, Level};
 use levalab_format::link::{LinkError, TooLong};
@@ -40,10 +40,10 @@ impl Voice for English {
             "half-cycloidal-end" => "half cycloidal (end)",
             "polynomial-5" => "5th-degree polynomial",
             "polynomial-7" => "7th-degree polynomial",
-            "polynomial" => "polynomial through conditions",
+            "polynomial" => "free polynomial",
             "bspline" => "B-spline",
             "bezier" => "Bézier",
-            "table" => "table",
+            "table" => "table of points",
             "formula" => "formula",
             "circular-arc" => "circular arc",
             _ => return None,
@@ -87,6 +87,7 @@ impl Voice for English {
     fn headline(&self, report: &Report) -> String {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {
+            Level::Acceptable if rests(report) => "Acceptable, but nothing moves: every rise is 0.".to_owned(),
             Level::Acceptable if joints > 0 => {
                 "Acceptable: the yoke holds the cam, and jumps of the acceleration do not part them.".to_owned()
             }

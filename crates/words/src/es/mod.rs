@@ -4,7 +4,7 @@ mod data;
 mod finding;
 mod problem;
 
-use crate::voice::{FileProblem, Voice, joints_of_the_jerk, row, worst_kinds};
+use crate::voice::{FileProblem, Voice, joints_of_the_jerk, rests, row, worst_kinds};
 use crate::{Language, Units};
 use levalab_core::{FindingKind, Level};
 use levalab_format::link::{LinkError, TooLong};
@@ -40,10 +40,10 @@ impl Voice for Spanish {
             "half-cycloidal-end" => "semicicloidal (final)",
             "polynomial-5" => "polinómica de 5.º grado",
             "polynomial-7" => "polinómica de 7.º grado",
-            "polynomial" => "polinómica por condiciones",
+            "polynomial" => "polinómica libre",
             "bspline" => "B-spline",
             "bezier" => "de Bézier",
-            "table" => "por tabla",
+            "table" => "por tabla de puntos",
             "formula" => "por fórmula",
             "circular-arc" => "de arco de circunferencia",
             _ => return None,
@@ -91,6 +91,9 @@ impl Voice for Spanish {
     fn headline(&self, report: &Report) -> String {
         let joints = report.findings.first().map_or(0, |finding| finding.places.len());
         match report.level {
+            Level::Acceptable if rests(report) => {
+                "Aceptable, pero nada se mueve: todas las elevaciones son 0.".to_owned()
+            }
             Level::Acceptable if joints > 0 => {
                 "Aceptable: el marco rodea la leva y los saltos de aceleración no los separan.".to_owned()
             }
