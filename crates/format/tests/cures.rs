@@ -265,7 +265,7 @@ fn the_number_of_looks_does_not_grow_with_the_number_of_segments() {
     let looks = |count: usize| {
         let beta = 360.0 / count as f64;
         let part = |k: usize| {
-            let rise = if k % 2 == 0 { 5 } else { -5 };
+            let rise = if k.is_multiple_of(2) { 5 } else { -5 };
             format!(r#"{{"law":"skewed-scca","beta":{beta},"rise":{rise},"b":0.25,"c":0.25,"crossover":0.4}}"#)
         };
         let design = with_segments(&(0..count).map(part).collect::<Vec<_>>().join(","));
