@@ -83,7 +83,9 @@ fn samples_before(cam: &Cam, bends: &[f64], samples: &Samples, sign: impl Fn(f64
 pub(super) fn flattest(cam: &Cam, samples: &Samples, radius: f64) -> Extremes {
     let (hollow, min_at) = least_bend(cam, samples, -1.0);
     let (convex, max_at) = least_bend(cam, samples, 1.0);
-    Extremes { min: -1.0 / hollow - radius, min_at, max: 1.0 / convex - radius, max_at }
+    // A flattest place whose curvature is rounding is straight.
+    let radius_of = |bend: f64| if bend > 0.0 { 1.0 / bend } else { f64::INFINITY };
+    Extremes { min: -radius_of(hollow) - radius, min_at, max: radius_of(convex) - radius, max_at }
 }
 
 /// The minimum of `sign`·κ where that is positive, and its θ.
