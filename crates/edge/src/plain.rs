@@ -11,7 +11,7 @@ use wasm_bindgen::prelude::*;
 const MAX_DEPTH: usize = 16;
 
 /// An object, a list, a text, a number or a truth value, with all that is in it. What JSON cannot hold becomes null, and so does what
-/// lies deeper than [`MAX_DEPTH`].
+/// lies deeper than `MAX_DEPTH`.
 pub fn value(given: &JsValue) -> Value {
     value_within(given, MAX_DEPTH)
 }
