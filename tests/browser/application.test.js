@@ -50,7 +50,7 @@ test("R6 shows its force against angle and time, its measured points and the err
   // One cursor for the page: a point of the table, the panel's own slider, the field of the transport.
   await page.getByRole("button", { name: en("application.targets.go", { place: "56.88°" }) }).click();
   await becomes(async () => (await cursor(page)).toFixed(1), "56.9");
-  await becomes(() => values(page), ["F = 110.3\u00a0lbf", "p = 62.40\u00a0psi"]);
+  await becomes(() => values(page), ["F = 110.3\u00a0lbf", "p = 62.41\u00a0psi"]);
   await setCursor(page, "300");
   await becomes(() => values(page), ["F = 0\u00a0lbf", "p = 0\u00a0psi"]);
   const slider = page.getByRole("slider", { name: en("application.cursor") });
