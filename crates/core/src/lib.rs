@@ -28,7 +28,6 @@
 
 mod analysis;
 pub mod application;
-mod arm;
 mod breadth;
 mod cam;
 mod conjugate;
