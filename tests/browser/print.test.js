@@ -55,7 +55,7 @@ const FULL = [
   ["pair", en, "en-GB", "5", [/Cam 1Cam 2/, /s₂ displacement \(mm\)/, /ρ₂ radius of curvature/, /s₂ \(mm\)φ₂ \(°\)ρ₂ \(mm\)x₂ \(mm\)/], 13],
   ["wedge", es, "es-ES", "10", [/LevaTraslación \(cuña\)/, /Velocidad50\smm\/sφ/, /perfilx \(mm\)s \(mm\)/, /v velocidad(?! \()/, /sobreaceleración \(1\/mm²\)/], 7],
   ["breadth", en, "en-GB", "10", [/1Simple harmonic0°120°20/, /4Dwell300°60°/], 7],
-  ["many", en, "en-GB", "5", [/64Polynomial 4-5-6-7354\.375°5\.625°−2/], 7],
+  ["many", en, "en-GB", "5", [/644-5-6-7 polynomial354\.375°5\.625°−2/], 7],
 ];
 
 for (const [name, say, locale, step, texts, count] of FULL) {
