@@ -111,7 +111,7 @@ test("a solved example opens with its solution", async (t) => {
   const { page } = await openPage(t);
   await page.getByRole("button", { name: en("header.examples") }).click();
   await page.locator('[data-solution="R6"]').click();
-  await says(page, /c3=612\.67,c4=−4057\.05,c5=10696\.41/);
+  await says(page, /c3=612\.72,c4=−4057\.26,c5=10696\.57/);
   assert.equal(await page.evaluate(() => document.querySelector(".gallery")?.hasAttribute("open")), false);
 });
 
