@@ -201,7 +201,11 @@ fn sentences_are_one_line_each() {
                     let laws = Remedy::Laws { changes, remaining_jump, price };
                     let told = cure(language, design, &found, &laws);
                     check(language, &told);
-                    let words = if language == Language::En { ", at the cost of " } else { ", a costa de " };
+                    let words = if language == Language::En {
+                        " (price: φ 31.8° → 36°, peak a × 1.19, lift "
+                    } else {
+                        " (a cambio: φ 31,8° → 36°, a máx. × 1,19, elevación "
+                    };
                     assert!(told.contains(words), "{told}");
                 }
                 for key in ["arm", "pivot_distance"] {

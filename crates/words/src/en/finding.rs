@@ -147,22 +147,20 @@ pub(super) fn cure(finding: &DesignFinding, remedy: &Remedy, units: Units) -> St
                 (_, Some(Column::J)) => "only the jerk still jumps",
                 (_, Some(_)) => "this jump is gone",
             };
-            format!("With {} {result}{}.", row(&groups, "and"), at_the_cost(price, units))
+            format!("With {} {result}{}.", row(&groups, "and"), price_of(price, units))
         }
     }
 }
 
-/// What a change of laws gives up, after what it brings.
-fn at_the_cost(price: &Price, units: Units) -> String {
-    let angle = price.pressure_angle.map(|(after, before)| {
-        format!("a pressure angle of up to {} instead of {}", EN.angle(after), EN.angle(before))
-    });
-    let peak = price.acceleration.map(|ratio| format!("a peak acceleration {} times the present one", EN.ratio(ratio)));
-    let lift = price.lift.map(|(after, before)| {
-        format!("a lift of {} instead of {}", units.travel(after, 0, EN), units.travel(before, 0, EN))
-    });
+/// What a change of laws gives up, after what it brings: each figure as it is and as it becomes.
+fn price_of(price: &Price, units: Units) -> String {
+    let angle = price.pressure_angle.map(|(after, before)| format!("φ {} → {}", EN.angle(before), EN.angle(after)));
+    let peak = price.acceleration.map(|ratio| format!("peak a × {}", EN.ratio(ratio)));
+    let lift = price
+        .lift
+        .map(|(after, before)| format!("lift {} → {}", units.travel(before, 0, EN), units.travel(after, 0, EN)));
     let costs: Vec<String> = angle.into_iter().chain(peak).chain(lift).collect();
-    if costs.is_empty() { String::new() } else { format!(", at the cost of {}", row(&costs, "and")) }
+    if costs.is_empty() { String::new() } else { format!(" (price: {})", costs.join(", ")) }
 }
 
 /// That size is no cure, and what is.

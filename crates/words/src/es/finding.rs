@@ -146,22 +146,20 @@ pub(super) fn cure(finding: &DesignFinding, remedy: &Remedy, units: Units) -> St
                 (_, Some(Column::J)) => "solo salta la sobreaceleración",
                 (_, Some(_)) => "este salto desaparece",
             };
-            format!("Con {} {result}{}.", row(&groups, "y"), at_the_cost(price, units))
+            format!("Con {} {result}{}.", row(&groups, "y"), price_of(price, units))
         }
     }
 }
 
-/// What a change of laws gives up, after what it brings.
-fn at_the_cost(price: &Price, units: Units) -> String {
-    let angle = price.pressure_angle.map(|(after, before)| {
-        format!("un ángulo de presión de hasta {} en lugar de {}", ES.angle(after), ES.angle(before))
-    });
-    let peak = price.acceleration.map(|ratio| format!("una aceleración máxima {} veces la actual", ES.ratio(ratio)));
-    let lift = price.lift.map(|(after, before)| {
-        format!("una elevación de {} en lugar de {}", units.travel(after, 0, ES), units.travel(before, 0, ES))
-    });
+/// What a change of laws gives up, after what it brings: each figure as it is and as it becomes.
+fn price_of(price: &Price, units: Units) -> String {
+    let angle = price.pressure_angle.map(|(after, before)| format!("φ {} → {}", ES.angle(before), ES.angle(after)));
+    let peak = price.acceleration.map(|ratio| format!("a máx. × {}", ES.ratio(ratio)));
+    let lift = price
+        .lift
+        .map(|(after, before)| format!("elevación {} → {}", units.travel(before, 0, ES), units.travel(after, 0, ES)));
     let costs: Vec<String> = angle.into_iter().chain(peak).chain(lift).collect();
-    if costs.is_empty() { String::new() } else { format!(", a costa de {}", row(&costs, "y")) }
+    if costs.is_empty() { String::new() } else { format!(" (a cambio: {})", costs.join(", ")) }
 }
 
 /// That size is no cure, and what is.
