@@ -14,6 +14,9 @@ import { createClosing } from "./segment-closing.js";
 import { createSegmentMenu } from "./segment-menu.js";
 import { createSegmentRow, riseUnit, strideUnit } from "./segment-row.js";
 
+/** Rows that are made in one frame: a program of sixty-four segments holds up none. */
+const ROWS_A_FRAME = 12;
+
 /**
  * @param {ShellContext} context
  * @param {Texts} texts
@@ -98,6 +101,7 @@ export function createSegments(context, texts) {
   function change(label, fn, focus, part = "lawSelect") {
     store.edit(label, fn);
     update();
+    fill(Infinity);
     for (const row of rows) row.reset();
     rows[focus]?.[part].focus();
   }
@@ -171,13 +175,7 @@ export function createSegments(context, texts) {
     const next = JSON.stringify([design.segments, design.cam, riseUnit(design), error, language]);
     if (next === shown) return;
     shown = next;
-    while (rows.length > design.segments.length) rows.pop()?.root.remove();
-    while (rows.length < design.segments.length) {
-      const row = createSegmentRow(context, { menu: openMenu, move, grab });
-      rows.push(row);
-      list.append(row.root);
-    }
-    rows.forEach((row, index) => row.update(index));
+    fill(ROWS_A_FRAME);
     const ready = design.cam.kind === "constant-breadth" && design.cam.generator !== "mirror";
     hide(root, ready);
     write(riseHead, riseUnit(design));
@@ -185,6 +183,23 @@ export function createSegments(context, texts) {
     add.disabled = full();
     hide(auto, !["rotating", "grooved"].includes(design.cam.kind));
     closing.update();
+  }
+
+  /**
+   * Gives each segment its row; those that are still missing after `most` new ones come in the next frames.
+   * @param {number} most
+   */
+  function fill(most) {
+    const { length } = store.state.design.segments;
+    while (rows.length > length) rows.pop()?.root.remove();
+    const end = Math.min(length, rows.length + most);
+    while (rows.length < end) {
+      const row = createSegmentRow(context, { menu: openMenu, move, grab });
+      rows.push(row);
+      list.append(row.root);
+    }
+    rows.forEach((row, index) => row.update(index));
+    if (rows.length < length) requestAnimationFrame(() => fill(ROWS_A_FRAME));
   }
 
   /** @param {SegmentRow} row */
