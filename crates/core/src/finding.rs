@@ -36,7 +36,7 @@ pub enum FindingKind {
     BelowBase,
     /// The profile crosses itself away from any cusp.
     SelfCrossing,
-    /// The arm or stem of the follower cuts through the cam.
+    /// The arm or stem of the follower cuts through the cam; never that of a grooved cam, which runs above the face.
     ArmCutsCam,
     /// The cam sweeps over the pivot.
     PivotInsideCam,

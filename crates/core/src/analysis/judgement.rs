@@ -1,8 +1,9 @@
 //! What is wrong with a cam, and where.
 
 use super::Summary;
+use crate::arm::arm_cut;
 use crate::extreme::{extremes, greatest_within, intervals};
-use crate::interference::{arm_cut, crossing};
+use crate::interference::crossing;
 use crate::samples::{Quantity, Samples};
 use crate::{Body, Cam, Closure, Extremes, Finding, FindingKind, Joint, Level, Program};
 use std::f64::consts::TAU;
