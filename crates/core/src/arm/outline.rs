@@ -197,7 +197,7 @@ impl<'a> Outline<'a> {
         places.retain(|&(place, _)| {
             let within_row = k > 0 && row[k - 1] + 1 == place && row.get(k + 1) == Some(&(place + 1));
             k += 1;
-            !within_row || place % MEASURED_EVERY == 0
+            !within_row || place.is_multiple_of(MEASURED_EVERY)
         });
         places
     }
