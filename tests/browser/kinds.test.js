@@ -121,7 +121,7 @@ test("a pair too close says so and gives what works; where none is possible the 
   await page.goto(`${page.url().split("#")[0]}#${LINKS.impossible}`);
   await eventually(() => fragment(page), (link) => assert.equal(link, LINKS.impossible));
   await addSecond(page).click();
-  await becomes(() => page.locator(".pair > .error").textContent(), /the nearest to one is 100\.5°.*The pressure angle reaches 51\.5° at 135°.*would cut 11\.79\smm deep/);
+  await becomes(() => page.locator(".pair > .error").textContent(), /the nearest to one is 100\.5°.*The pressure angle reaches 51\.5° at 135°.*would cut 11\.81\smm deep/);
   assert.equal(await fragment(page), LINKS.impossible);
 });
 

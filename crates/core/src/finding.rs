@@ -36,9 +36,10 @@ pub enum FindingKind {
     BelowBase,
     /// The profile crosses itself away from any cusp.
     SelfCrossing,
-    /// The arm or stem of the follower cuts through the cam.
+    /// The arm or stem of the follower cuts through the cam; never that of a grooved cam, which runs above the face.
     ArmCutsCam,
-    /// The cam sweeps over the pivot.
+    /// The cam sweeps over the pivot, which stands beside it. A grooved cam reaches at least to the outer wall of its groove; its arm
+    /// runs above the face, but the pivot that carries the arm does not stand on the cam.
     PivotInsideCam,
     /// A swinging face turns with the cam as fast as the cam itself, so that the contact runs away.
     FaceOvertaken,

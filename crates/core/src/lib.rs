@@ -28,6 +28,7 @@
 
 mod analysis;
 pub mod application;
+mod arm;
 mod breadth;
 mod cam;
 mod conjugate;

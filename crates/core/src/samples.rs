@@ -1,6 +1,6 @@
 //! A cam looked at in enough places: an even grid over the cycle, and the ends of every smooth stretch.
 
-use crate::{Body, Cam, Contact, Drive, Point, Stretch, Svaj};
+use crate::{Body, Cam, Closure, Contact, Drive, Point, Stretch, Svaj};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -28,12 +28,23 @@ pub(crate) enum Quantity {
     Reach,
     Lead,
     Radius,
+    OuterRadius,
 }
 
 impl Quantity {
-    const COUNT: usize = 9;
-    const ALL: [Self; Self::COUNT] =
-        [Self::S, Self::V, Self::A, Self::J, Self::PressureAngle, Self::Bend, Self::Reach, Self::Lead, Self::Radius];
+    const COUNT: usize = 10;
+    const ALL: [Self; Self::COUNT] = [
+        Self::S,
+        Self::V,
+        Self::A,
+        Self::J,
+        Self::PressureAngle,
+        Self::Bend,
+        Self::Reach,
+        Self::Lead,
+        Self::Radius,
+        Self::OuterRadius,
+    ];
 
     /// True when the verdict on a cam asks for it.
     #[inline(always)]
@@ -42,8 +53,16 @@ impl Quantity {
             Self::S | Self::V | Self::A | Self::J | Self::PressureAngle | Self::Bend => true,
             Self::Reach | Self::Lead => cam.follower.is_flat(),
             // Only a pivot can lie in the way of the cam.
-            Self::Radius => matches!(cam.follower.body, Body::Swing { .. }),
+            Self::Radius | Self::OuterRadius => {
+                matches!(cam.follower.body, Body::Swing { .. }) && self == Self::outmost(cam)
+            }
         }
+    }
+
+    /// Distance of the outmost profile from the centre: of the outer wall, where there is a groove.
+    #[inline(always)]
+    pub fn outmost(cam: &Cam) -> Self {
+        if cam.closure == Closure::Groove { Self::OuterRadius } else { Self::Radius }
     }
 
     #[inline(always)]
@@ -58,6 +77,8 @@ impl Quantity {
             Self::Reach => contact.reach,
             Self::Lead => contact.lead,
             Self::Radius => contact.point.norm_sqr().sqrt(),
+            // The walls of a groove are as far from the trace point on both sides.
+            Self::OuterRadius => (contact.trace * 2.0 - contact.point).norm_sqr().sqrt(),
         }
     }
 

@@ -170,8 +170,7 @@ pub fn balanced_eccentricity(cam: &Cam) -> Option<f64> {
 /// True when a cam keeps every geometric limit: whatever is found in it, the motion itself is to blame.
 #[must_use]
 pub fn geometry_passes(cam: &Cam) -> bool {
-    // One row is asked for, since none is looked at: the verdict is exact whatever their number.
-    Analysis::of(cam, 1).findings.iter().all(|finding| finding.kind.is_of_the_motion())
+    Analysis::geometry_passes(cam)
 }
 
 /// How far a base radius (or a travel) is from passing: positive when it fails, infinite when the geometry cannot be.
@@ -203,7 +202,7 @@ fn roundness(cam: &Cam, samples: &Samples) -> f64 {
 /// Positive when a swinging face lags behind the cam or loses its contact past the pivot, or when the cam reaches the pivot.
 fn misplacement(cam: &Cam, samples: &Samples) -> f64 {
     let Body::Swing { pivot } = cam.follower.body else { return f64::NEG_INFINITY };
-    let past_pivot = extremes(cam, samples, Quantity::Radius).max / pivot.norm() - 1.0;
+    let past_pivot = extremes(cam, samples, Quantity::outmost(cam)).max / pivot.norm() - 1.0;
     if !cam.follower.is_flat() {
         return past_pivot;
     }

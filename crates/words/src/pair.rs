@@ -49,12 +49,12 @@ mod tests {
         assert_eq!(
             en,
             "No angle between the arms gives a second cam; the nearest to one is 98.6°. There, of the second cam: \
-             At 136° the arm of the follower would cut 1.342\u{a0}mm deep into the cam."
+             At 134.8° the arm of the follower would cut 1.354\u{a0}mm deep into the cam."
         );
         assert_eq!(
             es,
             "Ningún ángulo entre los brazos da una segunda leva; el que más se acerca es 98,6°. Allí, de la segunda leva: \
-             En 136° el brazo del seguidor penetraría 1,342\u{a0}mm en la leva."
+             En 134,8° el brazo del seguidor penetraría 1,354\u{a0}mm en la leva."
         );
     }
 }

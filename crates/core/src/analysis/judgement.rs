@@ -1,8 +1,9 @@
 //! What is wrong with a cam, and where.
 
 use super::Summary;
+use crate::arm::{arm_cut, arm_cuts};
 use crate::extreme::{extremes, greatest_within, intervals};
-use crate::interference::{arm_cut, crossing};
+use crate::interference::crossing;
 use crate::samples::{Quantity, Samples};
 use crate::{Body, Cam, Closure, Extremes, Finding, FindingKind, Joint, Level, Program};
 use std::f64::consts::TAU;
@@ -30,12 +31,24 @@ pub(super) fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[J
     findings.extend(cuts);
     findings.extend(misplaced(cam, samples, summary));
     if regular {
-        findings.extend(crossing(samples));
-        findings.extend(arm_cut(cam, samples));
+        let crossing = crossing(samples);
+        let crosses = crossing.is_some();
+        findings.extend(crossing);
+        findings.extend(arm_cut(cam, samples, crosses));
     }
     findings.extend(unproved);
     findings.extend(mild);
     findings
+}
+
+/// True when nothing is found but what is of the motion, see [`FindingKind::is_of_the_motion`]: what costs most is looked at last.
+pub(super) fn geometry_passes(cam: &Cam, samples: &Samples, summary: &Summary) -> bool {
+    steep(cam, samples, summary).is_none()
+        && irregular(cam, samples, summary).is_empty()
+        && groove_cuts(cam, samples).is_none()
+        && misplaced(cam, samples, summary).is_empty()
+        && crossing(samples).is_none()
+        && !arm_cuts(cam, samples)
 }
 
 /// One finding for each order that jumps, with all its places.
@@ -137,7 +150,7 @@ fn groove_cuts(cam: &Cam, samples: &Samples) -> Option<Finding> {
 fn misplaced(cam: &Cam, samples: &Samples, summary: &Summary) -> Vec<Finding> {
     let mut findings = Vec::new();
     let Body::Swing { pivot } = cam.follower.body else { return findings };
-    let radius = extremes(cam, samples, Quantity::Radius);
+    let radius = extremes(cam, samples, Quantity::outmost(cam));
     if radius.max >= pivot.norm() {
         findings.push(finding(FindingKind::PivotInsideCam, radius.max_at, radius.max, pivot.norm(), None));
     }

@@ -56,6 +56,13 @@ impl Analysis {
         }
     }
 
+    /// True when an analysis of the cam finds nothing but what is of the motion.
+    pub(crate) fn geometry_passes(cam: &Cam) -> bool {
+        let samples = Samples::of(cam, 1);
+        let summary = summarise(cam, &samples, &inflections(cam, &samples));
+        judgement::geometry_passes(cam, &samples, &summary)
+    }
+
     /// A column, or nothing when it does not apply to this follower.
     #[must_use]
     pub fn column(&self, column: Column) -> Option<&[f64]> {
