@@ -2,11 +2,18 @@
  * A finding: its sentence, its places, and the changes that cure it. It is rewritten in place, since during a drag it
  * changes with every frame.
  *
- * @import { Cure, Finding, ShellContext } from "./types.d.ts"
+ * @import { Cure, Finding, ShellContext, State } from "./types.d.ts"
  */
 import { h, write } from "./dom.js";
 import { applyEdits } from "./program.js";
 import { placeIn, placeText } from "./stage/place.js";
+
+/**
+ * What a finding says, with derivatives as the diagrams have them.
+ * @param {Finding} finding
+ * @param {Pick<State, "perSecond">} state
+ */
+export const sentenceOf = ({ message, message_by_time }, { perSecond }) => (perSecond ? message_by_time ?? message : message);
 
 /**
  * @param {ShellContext} context
@@ -73,9 +80,10 @@ export function createFindingItem({ store, t, format }, cured) {
   return {
     root,
 
-    /** @param {Finding} next */
-    update(next) {
-      // The message is in the language of the page, so that a change of language is a change.
+    /** @param {Finding} finding */
+    update(finding) {
+      const next = { ...finding, message: sentenceOf(finding, store.state) };
+      // The message is in the language and the units of the page, so that a change of either is a change.
       const same = what?.message === next.message && what.cam === next.cam && what.severity === next.severity && what.theta === next.theta && what.places.join() === next.places.join();
       what = next;
       if (same) return;

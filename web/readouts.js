@@ -62,7 +62,7 @@ const GROUPS = [
     // A radius of curvature goes to infinity: its decimals follow the cam's size, not its own.
     { name: "rho", letter: "ρ", timed: "ρ", place: AT.rho, placeTimed: AT.rho, token: "rho", size: ({ mechanism, travels, span }) => (travels ? span : mechanism.reach), unit: ({ units }) => units.length },
     { name: "contact", letter: "q", timed: "q", place: AT.contact, placeTimed: AT.contact, token: "q", size: largest("contact"), unit: ({ units }) => units.length },
-    { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.slidingTimed, token: "ink", size: ({ mechanism, omega }, perSecond) => mechanism.reach * (perSecond ? omega : 1), unit: ({ units, travels }, perSecond) => (perSecond ? `${units.length}/s` : travels ? "" : `${units.length}/rad`) },
+    { name: "sliding", letter: "u", timed: "u", place: AT.sliding, placeTimed: AT.slidingTimed, token: "ink", size: ({ mechanism, omega }, perSecond) => mechanism.reach * (perSecond ? omega : 1), unit: ({ units }, perSecond) => units[perSecond ? "U" : "u"] },
   ],
 ];
 

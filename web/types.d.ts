@@ -276,6 +276,8 @@ export interface Finding {
   value: number | null;
   limit: number | null;
   message: string;
+  /** The sentence with derivatives with respect to time, where it differs. */
+  message_by_time?: string;
 }
 
 export type Level = "acceptable" | "low-speed" | "unacceptable";
@@ -326,7 +328,7 @@ export interface Report {
     reach: number;
     top: number;
   };
-  units: { s: string; v: string; a: string; j: string; V: string; A: string; J: string; length: string };
+  units: { s: string; v: string; a: string; j: string; V: string; A: string; J: string; u: string; U: string; length: string };
   /** The second cam of a pair, in the frame of the first. */
   conjugate: Report | null;
   /** Angle between the arms of a pair that swings, degrees. */

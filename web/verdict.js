@@ -157,7 +157,7 @@ export function mount(root, context) {
   word.tabIndex = -1;
   figures.speak();
   update();
-  store.subscribe(["report", "error"], update);
+  store.subscribe(["report", "error", "perSecond"], update);
   store.subscribe(["second"], figures.update);
   store.subscribe(["language"], () => {
     texts.refresh();

@@ -37,3 +37,15 @@ export const inSight = ({ report, second }) => (second && report.conjugate ? rep
  * @param {Readonly<State>} state
  */
 export const seesSecond = ({ report, second }) => second && report.conjugate !== null;
+
+/**
+ * The cam that the headline is about, and its number if there are two: the one in sight when the headline is about both.
+ * @param {Readonly<State>} state
+ * @returns {{ report: Report, cam: number | undefined }}
+ */
+export function headlined(state) {
+  const { verdict, conjugate } = state.report;
+  if (!conjugate) return { report: state.report, cam: undefined };
+  const cam = verdict.cam ?? (seesSecond(state) ? 2 : 1);
+  return { report: cam === 2 ? conjugate : state.report, cam };
+}

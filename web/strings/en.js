@@ -229,6 +229,7 @@ export const en = {
   "verdict.all": { one: "{count} finding", other: "{count} findings" },
   "verdict.see": "See it at {angle}",
   "verdict.figures": "Key figures",
+  "verdict.figure.cam": "Cam {number}:",
   "verdict.figure.phi": "φ {min} … {max} (limit {limit})",
   "verdict.figure.lift": "s max {value}",
   "verdict.figure.rho": "ρ min {value}",

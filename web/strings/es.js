@@ -229,6 +229,7 @@ export const es = {
   "verdict.all": { one: "{count} observación", other: "{count} observaciones" },
   "verdict.see": "Verlo a {angle}",
   "verdict.figures": "Cifras principales",
+  "verdict.figure.cam": "Leva {number}:",
   "verdict.figure.phi": "φ {min} … {max} (límite {limit})",
   "verdict.figure.lift": "s máx. {value}",
   "verdict.figure.rho": "ρ mín. {value}",

@@ -63,7 +63,6 @@ export const exportsEn = {
   "report.limit": "limit",
   "report.breadth": "Breadth dc",
   "report.length": "Length",
-  "report.second": "Second cam",
   "report.unit": "Lengths in {unit}",
   "report.kind": "Cam",
   "report.range": "from {min} at {minAt} to {max} at {maxAt}",

@@ -63,7 +63,6 @@ export const exportsEs = {
   "report.limit": "límite",
   "report.breadth": "Anchura dc",
   "report.length": "Longitud",
-  "report.second": "Segunda leva",
   "report.unit": "Longitudes en {unit}",
   "report.kind": "Leva",
   "report.range": "de {min} en {minAt} a {max} en {maxAt}",

@@ -120,7 +120,9 @@ pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
     for (name, values) in &mut columns {
         // A radius of curvature has no scale to compare with, since it may be infinite.
         if !name.contains("rho") {
-            without_rounding(values);
+            // Degrees: those of a flat face are rounding alone, and have no size of their own.
+            let size = if name.ends_with(Column::PressureAngle.name()) { 90.0 } else { 0.0 };
+            without_rounding(values, size);
         }
     }
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
@@ -136,11 +138,11 @@ pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
     text
 }
 
-/// Makes 0 of what is rounding compared with the maximum of its column.
-fn without_rounding(values: &mut [f64]) {
+/// Makes 0 of what is rounding compared with the maximum of its column, or with a size that its quantity has by its nature.
+fn without_rounding(values: &mut [f64], size: f64) {
     /// Sums of a dozen terms leave some 10⁻¹⁵ of the largest one.
     const ROUNDING: f64 = 1e-13;
-    let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let largest = values.iter().fold(size, |most, value| most.max(value.abs()));
     for value in values.iter_mut().filter(|value| value.abs() <= ROUNDING * largest) {
         *value = 0.0;
     }

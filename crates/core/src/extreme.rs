@@ -18,10 +18,12 @@ pub struct Extremes {
 }
 
 impl Extremes {
-    /// The greatest absolute value and where it is.
+    /// The maximum absolute value and its place; the first place if minimum and maximum have the same size.
     #[must_use]
     pub fn greatest_size(&self) -> (f64, f64) {
-        if self.max.abs() >= self.min.abs() { (self.max.abs(), self.max_at) } else { (self.min.abs(), self.min_at) }
+        let (high, low) = (self.max.abs(), self.min.abs());
+        let first = if (high - low).abs() <= EQUAL * high.max(low) { self.max_at <= self.min_at } else { high > low };
+        (high.max(low), if first { self.max_at } else { self.min_at })
     }
 }
 
@@ -41,15 +43,21 @@ const MOST_BUMPS: usize = 4;
 const TIE_OF_FORMULAS: f64 = 1e-2;
 const MOST_BUMPS_OF_FORMULAS: usize = 24;
 
-/// A gain smaller than this part of the range is rounding: the first place that comes so close is the one to name.
+/// A quantity that varies by less than this part of its size is constant, but for rounding.
 const ROUNDING: f64 = 1e-12;
+
+/// Extremes and jumps that differ by less than this part of their size (or of the range) are equal: the first one by θ is named, so that its
+/// place does not depend on the number of samples.
+pub(crate) const EQUAL: f64 = 1e-9;
 
 /// Extremes of a quantity over the turn.
 pub(crate) fn extremes(cam: &Cam, samples: &Samples, quantity: Quantity) -> Extremes {
     let values = samples.of_all(quantity);
     let of_each: Vec<(f64, f64)> = samples.spans.iter().map(|span| bounds(&values[span.clone()])).collect();
     let (low, high) = of_each.iter().fold(NOTHING, |all, each| (all.0.min(each.0), all.1.max(each.1)));
-    if high - low <= ROUNDING * high.abs().max(low.abs()) {
+    // An angle of rounding alone has no size of its own to compare with; a radian has.
+    let floor = if quantity == Quantity::PressureAngle { 1.0 } else { 0.0 };
+    if high - low <= ROUNDING * high.abs().max(low.abs()).max(floor) {
         return Extremes { min: low, min_at: 0.0, max: high, max_at: 0.0 };
     }
     let upside_down: Vec<(f64, f64)> = of_each.iter().map(|&(low, high)| (-high, -low)).collect();
@@ -82,13 +90,15 @@ fn bounds(values: &[f64]) -> (f64, f64) {
     (low, high)
 }
 
-/// A local summit among the samples of a stretch.
+/// A place where the greatest value of the cycle may be.
 struct Bump {
     stretch: usize,
     /// The sample.
     at: usize,
     /// The height of the summit that it promises.
     promise: f64,
+    /// The place of the summit and its height, once it has been refined.
+    summit: Option<(f64, f64)>,
 }
 
 /// A quantity whose summits are searched.
@@ -99,13 +109,34 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The greatest value of `sign`·quantity, and where; `low` and `high` bound all its samples, `of_each` those of each stretch.
+    /// The maximum of `sign`·quantity and the first place that has it; `low` and `high` bound all its samples, `of_each` those of each stretch.
     fn greatest(&self, sign: f64, (low, high): (f64, f64), of_each: &[(f64, f64)]) -> (f64, f64) {
+        let Self { cam, .. } = *self;
+        let range = high - low;
+        let mut bumps = self.bumps(sign, (low, high), of_each);
+        let has_formulas = cam.program.stretches().iter().any(|stretch| stretch.places().next().is_some());
+        let (tie, most) = if has_formulas { (TIE_OF_FORMULAS, MOST_BUMPS_OF_FORMULAS) } else { (TIE, MOST_BUMPS) };
+        let top = bumps.iter().map(|bump| bump.promise).fold(f64::NEG_INFINITY, f64::max);
+        bumps.retain(|bump| bump.promise >= top - tie * range);
+        let mut promising: Vec<usize> = (0..bumps.len()).collect();
+        promising.sort_by(|&a, &b| bumps[b].promise.total_cmp(&bumps[a].promise));
+        let mut best = high;
+        for index in promising.into_iter().take(most) {
+            best = best.max(self.refined(sign, &mut bumps[index]).1);
+        }
+        let first =
+            bumps.iter_mut().map(|bump| self.refined(sign, bump)).find(|&(_, value)| value >= best - EQUAL * range);
+        let at = first.map_or(0.0, |(at, _)| at);
+        let past_the_end = cam.program.is_cyclic() && at >= TAU;
+        (best, if past_the_end { at - TAU } else { at })
+    }
+
+    /// The places where the maximum may be, in the order of θ: the summits among the samples, and the beginnings of level stretches.
+    fn bumps(&self, sign: f64, (low, high): (f64, f64), of_each: &[(f64, f64)]) -> Vec<Bump> {
         let Self { cam, samples, quantity } = *self;
         let values = samples.of_all(quantity);
         let range = high - low;
-        let (worth_a_look, as_good) = (high - SLACK * range, high - ROUNDING * range);
-        let mut best: Option<(f64, f64)> = None;
+        let (worth_a_look, as_good) = (high - SLACK * range, high - EQUAL * range);
         let mut bumps: Vec<Bump> = Vec::new();
         for (stretch, (span, &(lowest, highest))) in samples.spans.iter().zip(of_each).enumerate() {
             if highest < worth_a_look {
@@ -114,7 +145,8 @@ impl Search<'_> {
             if highest - lowest <= ROUNDING * range {
                 // Level, as in a dwell: any place is as good as the first.
                 if highest >= as_good {
-                    best = best.or(Some((highest, cam.program.stretches()[stretch].from)));
+                    let summit = Some((cam.program.stretches()[stretch].from, highest));
+                    bumps.push(Bump { stretch, at: span.start, promise: highest, summit });
                 }
                 continue;
             }
@@ -123,33 +155,22 @@ impl Search<'_> {
                 if here < worth_a_look {
                     continue;
                 }
-                if best.is_none() && here >= as_good {
-                    best = Some((here, samples.theta[at]));
-                }
                 let beside = |inside: bool, at: usize| if inside { sign * values[at] } else { f64::NEG_INFINITY };
                 let (before, after) = (beside(at > span.start, at.wrapping_sub(1)), beside(at + 1 < span.end, at + 1));
                 if here >= before && here > after || here > before && here >= after {
                     let steps = [at.max(span.start + 1) - 1, at, (at + 1).min(span.end - 1)].map(|k| samples.theta[k]);
-                    bumps.push(Bump { stretch, at, promise: vertex(steps, [before, here, after]) });
+                    bumps.push(Bump { stretch, at, promise: vertex(steps, [before, here, after]), summit: None });
                 }
             }
         }
-        let mut best = best.unwrap_or((high, 0.0));
-        let has_formulas = cam.program.stretches().iter().any(|stretch| stretch.places().next().is_some());
-        let (tie, most) = if has_formulas { (TIE_OF_FORMULAS, MOST_BUMPS_OF_FORMULAS) } else { (TIE, MOST_BUMPS) };
-        let top = bumps.iter().map(|bump| bump.promise).fold(f64::NEG_INFINITY, f64::max);
-        bumps.retain(|bump| bump.promise >= top - tie * range);
-        for _ in 0..most {
-            let Some(next) = (0..bumps.len()).min_by(|&a, &b| bumps[b].promise.total_cmp(&bumps[a].promise)) else {
-                break;
-            };
-            let (at, value) = self.summit(sign, &bumps.remove(next));
-            if value > best.0 + ROUNDING * range {
-                best = (value, at);
-            }
-        }
-        let past_the_end = cam.program.is_cyclic() && best.1 >= TAU;
-        (best.0, if past_the_end { best.1 - TAU } else { best.1 })
+        bumps
+    }
+
+    /// The place and the height of a summit, refined once.
+    fn refined(&self, sign: f64, bump: &mut Bump) -> (f64, f64) {
+        let summit = bump.summit.unwrap_or_else(|| self.summit(sign, bump));
+        bump.summit = Some(summit);
+        summit
     }
 
     /// The stretch that a sample lies on.
@@ -288,7 +309,9 @@ pub(crate) fn greatest_within(
             let values = samples.of_all(quantity);
             let top = inside.max_by(|&a, &b| (sign * values[a]).total_cmp(&(sign * values[b])));
             let (at, found) = match top {
-                Some(i) => search.summit(sign, &Bump { stretch: search.stretch_of(i), at: i, promise: 0.0 }),
+                Some(i) => {
+                    search.summit(sign, &Bump { stretch: search.stretch_of(i), at: i, promise: 0.0, summit: None })
+                }
                 // So short that no sample lies in it.
                 None => summit((low, high), (0.5 * (low + high), value(0.5 * (low + high))), tolerance, value),
             };

@@ -1,6 +1,7 @@
 //! What a cam can be blamed for, and how badly.
 
 use crate::Closure;
+use std::cmp::Ordering;
 
 /// The verdict on a cam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -64,6 +65,19 @@ pub struct Finding {
     pub value: f64,
     /// The limit it passes.
     pub limit: f64,
+}
+
+/// Findings of the same severity whose places differ by less than this (radians, or length) keep the order of their kinds.
+const SAME_PLACE: f64 = 1e-6;
+
+impl Finding {
+    /// The order in which findings are reported: by severity, the gravest first, and then by θ.
+    #[must_use]
+    pub fn gravest_first(&self, other: &Self) -> Ordering {
+        // Rounded, since a tolerance between two of them would not be transitive.
+        let place = |finding: &Self| (finding.theta / SAME_PLACE).round();
+        other.level.cmp(&self.level).then(place(self).total_cmp(&place(other)))
+    }
 }
 
 impl FindingKind {

@@ -1,7 +1,7 @@
 //! What is exported.
 
 use levalab_core::Cam;
-use levalab_format::{Design, LengthUnit};
+use levalab_format::{Design, LengthUnit, MotionUnits};
 use levalab_words::Language;
 
 /// A design, the cam that it is, and the language in which heads, names and sentences are written.
@@ -37,20 +37,7 @@ impl<'a> Subject<'a> {
 
     /// The unit of *s*, or of its derivative of that order by θ, or by time.
     pub(crate) fn unit(&self, order: u8, by_time: bool) -> String {
-        let length = self.design.length_unit.symbol();
-        let s = if self.design.is_oscillating() { "°" } else { length };
-        // A length by a length is a number.
-        if self.travels() && !by_time && order > 0 {
-            return [String::new(), format!("1/{length}"), format!("1/{length}²")][usize::from(order - 1).min(2)]
-                .clone();
-        }
-        let by = if by_time { "s" } else { "rad" };
-        match order {
-            0 => s.to_owned(),
-            1 => format!("{s}/{by}"),
-            2 => format!("{s}/{by}²"),
-            _ => format!("{s}/{by}³"),
-        }
+        MotionUnits::of(self.design).unit(order, by_time)
     }
 
     /// Millimetres in the unit of the design.

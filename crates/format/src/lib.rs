@@ -67,5 +67,5 @@ pub use notation::Notation;
 pub use pair::{Conjugate, Room};
 pub use path::{Path, PathPart, quoted};
 pub use told::{ToldCure, ToldFinding, ToldVerdict};
-pub use units::{LengthUnit, SpeedUnit};
+pub use units::{LengthUnit, MotionUnits, SpeedUnit};
 pub use write::FORMAT;

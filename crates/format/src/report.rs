@@ -12,7 +12,7 @@ use serde::{Serialize, Serializer};
 pub struct Report {
     /// The verdict.
     pub level: Level,
-    /// What is wrong, the worst first.
+    /// What is wrong, by severity, the gravest first, and then by θ.
     pub findings: Vec<DesignFinding>,
     /// Extremes by the name of their column; those that do not apply are absent.
     pub summary: Vec<(&'static str, Range)>,

@@ -33,6 +33,9 @@ pub struct ToldFinding {
     value: Option<f64>,
     limit: Option<f64>,
     message: String,
+    /// The sentence with derivatives with respect to time, where it is given and differs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub message_by_time: Option<String>,
 }
 
 /// A cure: a sentence and what it changes.
@@ -64,6 +67,7 @@ impl ToldFinding {
             value: finding.value,
             limit: finding.limit,
             message,
+            message_by_time: None,
         }
     }
 }

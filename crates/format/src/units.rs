@@ -1,5 +1,6 @@
 //! The units that a design may be in.
 
+use crate::Design;
 use levalab_core::application::Magnitude;
 use std::f64::consts::TAU;
 
@@ -56,6 +57,50 @@ impl LengthUnit {
             Self::Centimetre => "cm/s",
             Self::Metre => "m/s",
             Self::Inch => "in/s",
+        }
+    }
+}
+
+/// What the units of a displacement and of its derivatives depend on: the one place where they are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MotionUnits {
+    /// The unit of length.
+    pub length: LengthUnit,
+    /// True if the displacement is an angle.
+    pub oscillating: bool,
+    /// True if the cam travels, so that derivatives are per length.
+    pub travels: bool,
+}
+
+impl MotionUnits {
+    /// Those of a design.
+    #[must_use]
+    pub fn of(design: &Design) -> Self {
+        Self {
+            length: design.length_unit,
+            oscillating: design.is_oscillating(),
+            travels: design.kind.travel().is_some(),
+        }
+    }
+
+    /// Those of a length along the follower, such as the sliding of the contact.
+    #[must_use]
+    pub fn sliding(self) -> Self {
+        Self { oscillating: false, ..self }
+    }
+
+    /// The unit of the derivative of that order (0 for the displacement itself), with respect to θ (or to the travel) or to time. Empty for a
+    /// length per length.
+    #[must_use]
+    pub fn unit(self, order: u8, by_time: bool) -> String {
+        let power = ["", "", "²", "³"][usize::from(order.min(3))];
+        let s = if self.oscillating { "°" } else { self.length.symbol() };
+        match order {
+            0 => s.to_owned(),
+            _ if by_time => format!("{s}/s{power}"),
+            1 if self.travels => String::new(),
+            _ if self.travels => format!("1/{}{}", self.length.symbol(), if order == 2 { "" } else { "²" }),
+            _ => format!("{s}/rad{power}"),
         }
     }
 }

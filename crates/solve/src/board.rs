@@ -5,8 +5,8 @@ use crate::layout::equation;
 use crate::{Subject, number};
 use levalab_core::law::Arguments;
 use levalab_core::{Cam, Column};
-use levalab_format::Design;
 use levalab_format::report::scale_of;
+use levalab_format::{Design, MotionUnits};
 use levalab_formula::Formula;
 use levalab_formula::curve::Written;
 use levalab_words::Language;
@@ -115,29 +115,12 @@ impl<'a> Board<'a> {
 
     /// The unit of a derivative with respect to θ, as it stands after a number in a formula.
     pub fn unit(&self, order: usize) -> String {
-        let length = self.design().length_unit.symbol();
-        let s = if self.swings() { "°" } else { length };
-        match (order, self.travels()) {
-            (0, _) if self.swings() => "{°}".into(),
-            (0, _) => format!(" {{{s}}}"),
-            (1, true) => String::new(),
-            (2, true) => format!(" {{1/{length}}}"),
-            (_, true) => format!(" {{1/{length}²}}"),
-            (1, false) => format!(" {{{s}/rad}}"),
-            (2, false) => format!(" {{{s}/rad²}}"),
-            (_, false) => format!(" {{{s}/rad³}}"),
-        }
+        after_number(&MotionUnits::of(self.design()).unit(order as u8, false))
     }
 
     /// The unit of a derivative by time.
     pub fn timed_unit(&self, order: usize) -> String {
-        let s = if self.swings() { "°" } else { self.design().length_unit.symbol() };
-        match order {
-            0 => self.unit(0),
-            1 => format!(" {{{s}/s}}"),
-            2 => format!(" {{{s}/s²}}"),
-            _ => format!(" {{{s}/s³}}"),
-        }
+        after_number(&MotionUnits::of(self.design()).unit(order as u8, true))
     }
 
     /// A place that was typed, or follows from what was, with its unit.
@@ -187,4 +170,13 @@ impl<'a> Board<'a> {
 /// A cell with a formula in it.
 pub fn cell(notation: &str) -> Line {
     line(&format!("${notation}$"))
+}
+
+/// A unit as it stands after a number in a formula.
+fn after_number(unit: &str) -> String {
+    match unit {
+        "" => String::new(),
+        "°" => "{°}".into(),
+        _ => format!(" {{{unit}}}"),
+    }
 }

@@ -6,12 +6,14 @@ use levalab_core::Cycle;
 
 pub fn write(board: &mut Board, only: Option<usize>) {
     board.heading(1, two("Motion, segment by segment", "El movimiento, tramo a tramo"), &[]);
+    let measure = if board.travels() { two("a length", "una longitud") } else { two("in radians", "en radianes") }
+        .within(board.language);
     board.say(
         two(
-            "In each segment $x = (θ - θ_i)/β$ goes from 0 to 1, with $θ_i$ where it begins and $β$ in radians; each derivative with respect to $θ$ is one with respect to $x$ divided by $β$: $v = (s')/β$, $a = (s'')/(β^2)$, $j = (s''')/(β^3)$.",
-            "En cada tramo $x = (θ - θ_i)/β$ va de 0 a 1, con $θ_i$ donde empieza y $β$ en radianes; cada derivada respecto a $θ$ es una respecto a $x$ dividida por $β$: $v = (s')/β$, $a = (s'')/(β^2)$, $j = (s''')/(β^3)$.",
+            "In each segment $x = (θ - θ_i)/β$ goes from 0 to 1, with $θ_i$ where it begins and $β$ {measure}; each derivative with respect to $θ$ is one with respect to $x$ divided by $β$: $v = (s')/β$, $a = (s'')/(β^2)$, $j = (s''')/(β^3)$.",
+            "En cada tramo $x = (θ - θ_i)/β$ va de 0 a 1, con $θ_i$ donde empieza y $β$ {measure}; cada derivada respecto a $θ$ es una respecto a $x$ dividida por $β$: $v = (s')/β$, $a = (s'')/(β^2)$, $j = (s''')/(β^3)$.",
         ),
-        &[],
+        &[("measure", measure)],
     );
     let program = &board.cam().program;
     for k in (0..program.given().len()).filter(|&k| only.is_none_or(|only| only == k)) {

@@ -1,7 +1,7 @@
 //! The current cam: checked, analysed, and asked about until the next good one takes its place.
 
 use crate::instant;
-use crate::report::{PageReport, cures, told_cures};
+use crate::report::{PageReport, cures, of_both, told_cures};
 use levalab_core::{Analysis, Cam, Column, Svaj};
 use levalab_edge::{Failure, language, object};
 use levalab_format::report::{Report, column, scale_of};
@@ -82,14 +82,15 @@ impl Lab {
         })
     }
 
-    /// The cures of each finding of the current cam, then of the second one, in their order. Slower than an analysis: for when the hand rests.
+    /// The cures of each finding of the current cam, or of both cams of a pair, in the order of the verdict. Slower than an analysis: for when the hand rests.
     ///
     /// # Errors
     /// Never, for any current cam.
     #[wasm_bindgen(unchecked_return_type = "Cure[][]")]
     pub fn cures(&self, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
-        let cams = self.current.as_deref().into_iter().chain(&self.second);
-        object(&cams.flat_map(|current| cures(current, language(words))).collect::<Vec<_>>())
+        let cams: Vec<&Current> = self.current.as_deref().into_iter().chain(&self.second).collect();
+        let of_each = cams.iter().map(|current| cures(current, language(words))).collect();
+        object(&of_both(&cams, of_each))
     }
 
     /// Goes on with the search for the cures, as [`Lab::cures`] gives them; the budget is the number of looks at a cam that this part may
@@ -105,14 +106,14 @@ impl Lab {
     ) -> Result<JsValue, JsError> {
         let cams: Vec<&Current> = self.current.as_deref().into_iter().chain(&self.second).collect();
         self.jobs.resize_with(cams.len(), CureJob::default);
-        let mut all = Vec::new();
-        for (current, job) in cams.into_iter().zip(&mut self.jobs) {
+        let mut of_each = Vec::new();
+        for (current, job) in cams.iter().zip(&mut self.jobs) {
             let Some(cures) = job.step(&current.design, &current.cam, &current.analysis, budget) else {
                 return Ok(JsValue::UNDEFINED);
             };
-            all.extend(told_cures(current, cures, language(words)));
+            of_each.push(told_cures(current, cures, language(words)));
         }
-        object(&all)
+        object(&of_both(&cams, of_each))
     }
 
     /// A column of the current cam, `samples` + 1 values; empty when it does not apply.
@@ -175,7 +176,7 @@ fn limits(current: &Current, border: usize) -> Vec<f64> {
     joint.map_or_else(Vec::new, |joint| side(joint.before).chain(side(joint.after)).collect())
 }
 
-fn analyse(value: &Value, samples: usize) -> Result<(Current, Option<Current>), DesignError> {
+pub(crate) fn analyse(value: &Value, samples: usize) -> Result<(Current, Option<Current>), DesignError> {
     let (design, cam) = Design::open(value)?;
     let second = design.second(&cam)?.map(|second| Current::of(design.clone(), second, samples));
     Ok((Current::of(design, cam, samples), second))

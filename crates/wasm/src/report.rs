@@ -4,7 +4,7 @@ use crate::lab::Current;
 use crate::mechanism::Mechanism;
 use levalab_core::{Cam, Column, Segment, angle_between, profiles_coincide};
 use levalab_format::report::{Place, Range, degrees, scale_of};
-use levalab_format::{DesignCure, Notation, ToldCure, ToldFinding, ToldVerdict, link};
+use levalab_format::{DesignCure, MotionUnits, Notation, ToldCure, ToldFinding, ToldVerdict, link};
 use levalab_words::{Language, Signs};
 use serde::{Serialize, Serializer};
 
@@ -80,25 +80,31 @@ struct Units {
     acceleration: String,
     #[serde(rename = "J")]
     jerk: String,
+    /// Of the sliding of the contact, with respect to θ and to time.
+    u: String,
+    #[serde(rename = "U")]
+    timed_sliding: String,
     length: &'static str,
 }
 
 impl PageReport {
-    /// Everything the page shows of a cam, or of both cams of a pair, but for columns and cures. The verdict is on both.
+    /// Everything the page shows of a cam, or of both cams of a pair, but for columns and cures. The verdict is on both: its headline is that of
+    /// the worse cam, which `cam` names, and its findings are those of both in one order.
     pub fn of(first: &Current, second: Option<&Current>, language: Language) -> Self {
         let link = link::encode(&first.design).unwrap_or_default();
         let Some(second) = second else { return Self::of_one(first, link, verdict_of(first, None, language)) };
         let verdict = |current: &Current, number: u8| verdict_of(current, Some(number), language);
-        let mut both = verdict(first, 1);
-        let theirs = verdict(second, 2);
-        if second.report.level > first.report.level {
-            both = Verdict { findings: both.findings, ..verdict(second, 2) };
-        } else if both.headline == theirs.headline {
-            both.cam = None;
-        }
-        both.findings.extend(theirs.findings);
+        let (ours, theirs) = (verdict(first, 1), verdict(second, 2));
+        let (cam, headline) = if second.report.level > first.report.level {
+            (theirs.cam, theirs.headline.clone())
+        } else {
+            (ours.cam.filter(|_| ours.headline != theirs.headline), ours.headline)
+        };
+        let level = first.report.level.max(second.report.level);
+        let findings = of_both(&[first, second], vec![ours.findings, theirs.findings.clone()]);
+        let both = Verdict { cam, ..ToldVerdict::new(level, headline, findings) };
         Self {
-            conjugate: Some(Box::new(Self::of_one(second, String::new(), verdict(second, 2)))),
+            conjugate: Some(Box::new(Self::of_one(second, String::new(), theirs))),
             pair_angle: angle_between(&first.cam, &second.cam).map(f64::to_degrees),
             pair_note: profiles_coincide(&first.cam, &second.cam).then(|| levalab_words::profiles_coincide(language)),
             ..Self::of_one(first, link, both)
@@ -188,6 +194,7 @@ fn verdict_of(current: &Current, cam: Option<u8>, language: Language) -> Verdict
         let message = levalab_words::finding(language, design, finding);
         let mut told = ToldFinding::new(finding, message);
         told.cam = cam;
+        told.message_by_time = levalab_words::finding_by_time(language, design, finding);
         told
     });
     let headline = levalab_words::headline(language, report);
@@ -200,18 +207,41 @@ fn as_map<T: Copy + Serialize, S: Serializer>(ranges: &[(&'static str, T)], seri
 
 impl Units {
     fn of(current: &Current) -> Self {
-        let length = current.design.length_unit.symbol();
-        let s = if current.design.is_oscillating() { "°" } else { length };
-        let travels = current.design.kind.travel().is_some();
+        let motion = MotionUnits::of(&current.design);
+        let sliding = motion.sliding();
         Self {
-            s: s.into(),
-            v: if travels { String::new() } else { format!("{s}/rad") },
-            a: if travels { format!("1/{length}") } else { format!("{s}/rad²") },
-            j: if travels { format!("1/{length}²") } else { format!("{s}/rad³") },
-            velocity: format!("{s}/s"),
-            acceleration: format!("{s}/s²"),
-            jerk: format!("{s}/s³"),
-            length,
+            s: motion.unit(0, false),
+            v: motion.unit(1, false),
+            a: motion.unit(2, false),
+            j: motion.unit(3, false),
+            u: sliding.unit(1, false),
+            velocity: motion.unit(1, true),
+            acceleration: motion.unit(2, true),
+            jerk: motion.unit(3, true),
+            timed_sliding: sliding.unit(1, true),
+            length: motion.length.symbol(),
         }
     }
 }
+
+/// The findings of both cams in one list, in the order of [`Finding::gravest_first`]: the cam (0 or 1) of each and its place among the findings
+/// of that cam.
+fn in_order(cams: &[&Current]) -> Vec<(usize, usize)> {
+    let of_cam =
+        |(cam, current): (usize, &&Current)| (0..current.analysis.findings.len()).map(move |index| (cam, index));
+    let mut places: Vec<(usize, usize)> = cams.iter().enumerate().flat_map(of_cam).collect();
+    let finding = |&(cam, index): &(usize, usize)| &cams[cam].analysis.findings[index];
+    // Of two at one place the first cam's comes first.
+    places.sort_by(|one, other| finding(one).gravest_first(finding(other)));
+    places
+}
+
+/// Things given for each finding of each cam, in the order in which the findings of both are told.
+pub fn of_both<T>(cams: &[&Current], of_each: Vec<Vec<T>>) -> Vec<T> {
+    let mut of_each: Vec<Vec<Option<T>>> =
+        of_each.into_iter().map(|things| things.into_iter().map(Some).collect()).collect();
+    in_order(cams).into_iter().filter_map(|(cam, index)| of_each.get_mut(cam)?.get_mut(index)?.take()).collect()
+}
+
+#[cfg(test)]
+mod tests;

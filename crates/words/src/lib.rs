@@ -38,7 +38,7 @@ pub use voice::FileProblem;
 
 pub use join::choices as join_choices;
 
-use levalab_core::{FollowerKind, Law, Level};
+use levalab_core::{FindingKind, FollowerKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Design, DesignError, Remedy};
@@ -183,7 +183,15 @@ pub fn finding(language: Language, design: &Design, finding: &DesignFinding) -> 
     Signs::of(design.notation).say(&language.voice().finding(finding, Units::of(design)))
 }
 
-/// What would put a finding right.
+/// The same with derivatives with respect to time, if the sentence has one.
+#[must_use]
+pub fn finding_by_time(language: Language, design: &Design, finding: &DesignFinding) -> Option<String> {
+    let has_derivative = matches!(finding.kind, FindingKind::Jump(order) if order > 0);
+    let said = || language.voice().finding(finding, Units::by_time(design));
+    has_derivative.then(|| Signs::of(design.notation).say(&said()))
+}
+
+/// What would put a finding right. No cure states a derivative: a price in acceleration is a ratio, the same by θ and by time.
 #[must_use]
 pub fn cure(language: Language, design: &Design, finding: &DesignFinding, remedy: &Remedy) -> String {
     let shown = match *remedy {

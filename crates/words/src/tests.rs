@@ -345,3 +345,27 @@ fn what_is_said_of_the_second_cam_goes_on_in_its_sentence() {
     assert_eq!(said, "Second cam, unacceptable: the pressure angle is too large.");
     assert_eq!(of_second_cam(Language::Es, "Aceptable: todo va bien."), "Segunda leva, aceptable: todo va bien.");
 }
+
+#[test]
+fn a_jump_is_told_by_angle_and_by_time_in_the_units_of_its_follower() {
+    let mut design = example("9RT").expect("9RT");
+    design.speed.value = 100.0;
+    let mut jump = finding_of(FindingKind::Jump(2));
+    (jump.value, jump.interval) = (Some(2.5), None);
+    jump.level = Level::Unacceptable;
+    let told = |design: &Design, language| {
+        let by_time = finding_by_time(language, design, &jump).expect("a derivative");
+        [finding(language, design, &jump), by_time]
+    };
+    let omega = design.omega();
+    let [by_angle, by_time] = told(&design, Language::En);
+    assert!(by_angle.contains("2.5\u{a0}mm/rad² at"), "{by_angle}");
+    assert!(by_time.contains(&format!("{}\u{a0}mm/s² at", Language::En.number(2.5 * omega * omega))), "{by_time}");
+    let [by_angle, by_time] = told(&design, Language::Es);
+    assert!(by_angle.contains("2,5\u{a0}mm/rad²") && by_time.contains("\u{a0}mm/s²"), "{by_angle} {by_time}");
+    let [by_angle, by_time] = told(&example("2RO").expect("2RO"), Language::En);
+    assert!(by_angle.contains("2.5°/rad²") && by_time.contains("°/s²"), "{by_angle} {by_time}");
+    for kind in KINDS.into_iter().filter(|kind| !matches!(kind, FindingKind::Jump(1..))) {
+        assert_eq!(finding_by_time(Language::En, &design, &finding_of(kind)), None, "{kind:?}");
+    }
+}

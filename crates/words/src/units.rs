@@ -1,10 +1,10 @@
 //! The units that a sentence needs.
 
 use crate::{Language, numbers};
-use levalab_format::{Design, LengthUnit};
+use levalab_format::{Design, LengthUnit, MotionUnits};
 
-/// The units of a design: what its lengths and its displacement are measured in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The units of a design, and with respect to what its derivatives are written.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Units {
     /// The unit of length.
     pub length: LengthUnit,
@@ -12,20 +12,25 @@ pub(crate) struct Units {
     pub oscillating: bool,
     /// True when the cam travels, so that its places are lengths and derivatives are per length.
     pub travels: bool,
+    /// ω, for derivatives with respect to time; none for those with respect to θ.
+    omega: Option<f64>,
 }
 
 /// Between a number and its unit: the two stay on one line.
 const SPACE: char = '\u{a0}';
 
 impl Units {
-    /// Those of a design.
+    /// Those of a design, with derivatives with respect to θ.
     #[must_use]
     pub fn of(design: &Design) -> Self {
-        Self {
-            length: design.length_unit,
-            oscillating: design.is_oscillating(),
-            travels: design.kind.travel().is_some(),
-        }
+        let MotionUnits { length, oscillating, travels } = MotionUnits::of(design);
+        Self { length, oscillating, travels, omega: None }
+    }
+
+    /// Those of a design, with derivatives with respect to time.
+    #[must_use]
+    pub fn by_time(design: &Design) -> Self {
+        Self { omega: Some(design.omega()), ..Self::of(design) }
     }
 
     /// A length with its unit.
@@ -33,24 +38,16 @@ impl Units {
         format!("{}{SPACE}{}", language.number(value), self.length.symbol())
     }
 
-    /// A displacement or one of its derivatives with respect to θ, with its unit.
+    /// A displacement or one of its derivatives with respect to θ, given in the unit of the design, with its unit; with respect to time when
+    /// these units are.
     pub(crate) fn travel(self, value: f64, order: u8, language: Language) -> String {
-        if self.travels && order > 0 {
-            // A length by a length is a number.
-            let unit = self.length.symbol();
-            let unit = [String::new(), format!("{SPACE}1/{unit}"), format!("{SPACE}1/{unit}²")];
-            return format!("{}{}", language.number(value), unit[usize::from(order - 1).min(2)]);
-        }
-        let per = "rad";
-        let per = match order {
-            0 => String::new(),
-            1 => format!("/{per}"),
-            2 => format!("/{per}²"),
-            _ => format!("/{per}³"),
-        };
-        match self.oscillating {
-            true => format!("{}°{per}", language.number(value)),
-            false => format!("{}{per}", self.length(value, language)),
+        let Self { length, oscillating, travels, omega } = self;
+        let number = language.number(value * omega.map_or(1.0, |omega| omega.powi(i32::from(order))));
+        let unit = MotionUnits { length, oscillating, travels }.unit(order, omega.is_some());
+        match unit.as_str() {
+            "" => number,
+            degrees if degrees.starts_with('°') => number + degrees,
+            unit => format!("{number}{SPACE}{unit}"),
         }
     }
 

@@ -104,7 +104,8 @@ pub(crate) fn rests(report: &Report) -> bool {
     report.range(Column::S).is_some_and(|range| range.min == 0.0 && range.max == 0.0)
 }
 
-/// The kinds of finding that a headline names, each once, without the jerk's when there is worse.
+/// The kinds of finding that a headline names, each once, without the jerk's when there is worse: the gravest first wherever they are, so that
+/// the headline does not change with their places.
 pub(crate) fn worst_kinds(report: &Report) -> Vec<FindingKind> {
     let mut kinds: Vec<FindingKind> = Vec::new();
     let worst = report.findings.iter().filter(|finding| finding.level == report.level);
@@ -113,7 +114,22 @@ pub(crate) fn worst_kinds(report: &Report) -> Vec<FindingKind> {
             kinds.push(finding.kind);
         }
     }
+    kinds.sort_by_key(|&kind| rank(kind));
     kinds
+}
+
+/// The place of a kind in a headline: first what no motion can be, then what no profile can be, then what gets in the way.
+fn rank(kind: FindingKind) -> u8 {
+    match kind {
+        FindingKind::Jump(order) => order,
+        FindingKind::Doubtful | FindingKind::NotProved(_) => 4,
+        FindingKind::PressureAngle => 5,
+        FindingKind::BelowBase => 6,
+        FindingKind::Cusp | FindingKind::Undercut | FindingKind::GrooveUndercut | FindingKind::ConcaveFlat => 7,
+        FindingKind::PivotInsideCam | FindingKind::FaceOvertaken | FindingKind::ContactPastPivot => 8,
+        FindingKind::SelfCrossing => 9,
+        FindingKind::ArmCutsCam => 10,
+    }
 }
 
 /// At how many joints a jump of the jerk forbids high speeds.

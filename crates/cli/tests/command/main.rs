@@ -11,3 +11,4 @@ mod licenses;
 mod links;
 mod run;
 mod solve;
+mod wedge;

@@ -2,7 +2,7 @@
 
 use super::Summary;
 use crate::arm::{arm_cut, arm_cuts};
-use crate::extreme::{extremes, greatest_within, intervals};
+use crate::extreme::{EQUAL, extremes, greatest_within, intervals};
 use crate::interference::crossing;
 use crate::samples::{Quantity, Samples};
 use crate::{Body, Cam, Closure, Extremes, Finding, FindingKind, Joint, Level, Program};
@@ -17,12 +17,10 @@ const CUSP_TOLERANCE: f64 = 1e-9;
 /// How far below the base circle rounding may take the follower, as a part of its whole travel.
 const BELOW_TOLERANCE: f64 = 1e-9;
 
-/// Every finding, the worst kinds first.
+/// Every finding, in the order of [`Finding::gravest_first`].
 pub(super) fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[Joint]) -> Vec<Finding> {
-    let (mild, mut findings): (Vec<Finding>, Vec<Finding>) =
-        jumps(cam, joints).into_iter().partition(|finding| finding.level < Level::Unacceptable);
+    let mut findings = jumps(cam, joints);
     findings.extend(doubtful(&cam.program));
-    let unproved = not_proved(cam);
     findings.extend(steep(cam, samples, summary));
     findings.extend(below_base(cam, samples, summary));
     let mut cuts = irregular(cam, samples, summary);
@@ -36,8 +34,8 @@ pub(super) fn judge(cam: &Cam, samples: &Samples, summary: &Summary, joints: &[J
         findings.extend(crossing);
         findings.extend(arm_cut(cam, samples, crosses));
     }
-    findings.extend(unproved);
-    findings.extend(mild);
+    findings.extend(not_proved(cam));
+    findings.sort_by(Finding::gravest_first);
     findings
 }
 
@@ -58,14 +56,15 @@ fn jumps(cam: &Cam, joints: &[Joint]) -> Vec<Finding> {
     };
     let of_order = |order: u8| {
         let here: Vec<&Joint> = joints.iter().filter(|joint| joint.jump == Some(order)).collect();
-        let worst = here.iter().copied().max_by(|a, b| size(a, order).total_cmp(&size(b, order)))?;
+        let largest = here.iter().map(|joint| size(joint, order)).max_by(f64::total_cmp)?;
+        let worst = here.iter().find(|joint| size(joint, order) >= largest * (1.0 - EQUAL))?;
         Some(Finding {
             kind: FindingKind::Jump(order),
             level: FindingKind::Jump(order).severity(cam.closure),
             theta: worst.theta,
             interval: None,
             places: here.iter().map(|joint| joint.theta).collect(),
-            value: size(worst, order),
+            value: largest,
             limit: 0.0,
         })
     };
