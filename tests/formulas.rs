@@ -137,17 +137,17 @@ fn is_unproved(finding: &Finding) -> bool {
 #[test]
 fn the_verdict_on_random_formulas_does_not_depend_on_the_rows() {
     let (mut random, count) = (Random(3), count(500, 20_000));
-    let mut unproved = 0;
-    for _ in 0..count {
+    let mut unproved = Vec::new();
+    for index in 0..count {
         let text = format!("4*(1-cos(θ))*(1+0.2*{})", term(&mut random, 3));
         let cam = roller(&text, random.between(30.0, 150.0));
         let coarse = Analysis::of(&cam, 720);
         if coarse.findings.iter().any(is_unproved) {
-            unproved += 1;
+            unproved.push(text);
             continue;
         }
         // Where nothing is optimised, one in ten is looked at as closely as all of them are in the soak.
-        let close = !cfg!(debug_assertions) || random.below(10) == 0;
+        let close = !cfg!(debug_assertions) || index % 10 == 0;
         let fine = Analysis::of(&cam, if close { 72_000 } else { 7_200 });
         assert_eq!(coarse.level, fine.level, "{text}: {:?} and {:?}", coarse.findings, fine.findings);
         let kinds = |analysis: &Analysis| analysis.findings.iter().map(|found| found.kind).collect::<Vec<_>>();
@@ -163,7 +163,7 @@ fn the_verdict_on_random_formulas_does_not_depend_on_the_rows() {
             );
         }
     }
-    assert!(unproved * 1000 <= count, "{unproved} of {count} are not proved");
+    assert!(unproved.len() * 1000 <= count, "{} of {count} are not proved: {unproved:#?}", unproved.len());
 }
 
 #[test]

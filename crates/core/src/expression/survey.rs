@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
 /// Operations on enclosures that one formula may cost; a moderate one takes less than a tenth of them.
-const MAX_OPERATIONS: usize = 1 << 18;
+const MAX_OPERATIONS: usize = 3 << 17;
 
 /// A part narrower than this is not split: its ends hardly differ.
 const MIN_WIDTH: f64 = 1e-13;
@@ -31,7 +31,7 @@ const GRADUAL: f64 = 0.5;
 const COARSE: f64 = 1.0 / 64.0;
 
 /// Operations after which parts are no longer split for the sake of φ and ρ alone: a formula of so many waves is sampled densely anyway.
-const OPERATIONS_FOR_CONTACT: usize = MAX_OPERATIONS / 8;
+const OPERATIONS_FOR_CONTACT: usize = MAX_OPERATIONS / 12;
 
 /// Places closer than this part of the part they lie in are one: between two of them only rounding would be compared.
 const COINCIDENT: f64 = 1e-6;
