@@ -126,9 +126,11 @@ impl Search<'_> {
         }
         let first =
             bumps.iter_mut().map(|bump| self.refined(sign, bump)).find(|&(_, value)| value >= best - EQUAL * range);
-        let at = first.map_or(0.0, |(at, _)| at);
+        let (at, value) = first.unwrap_or((0.0, best));
+        // The value of that place, where another exceeds it by rounding alone: 0 at the start, not what the end of a fall leaves of it.
+        let greatest = if best - value <= ROUNDING * range { value } else { best };
         let past_the_end = cam.program.is_cyclic() && at >= TAU;
-        (best, if past_the_end { at - TAU } else { at })
+        (greatest, if past_the_end { at - TAU } else { at })
     }
 
     /// The places where the maximum may be, in the order of θ: the summits among the samples, and the beginnings of level stretches.

@@ -259,6 +259,16 @@ fn a_size_out_of_proportion_is_an_advice_and_no_cure() {
     assert!(matches!(cures[steep].last().map(|cure| &cure.remedy), Some(Remedy::NoSize { needed: Some(_), .. })));
 }
 
+/// The arm swings back in so few degrees that no length within reason helps.
+#[test]
+fn an_oscillating_follower_that_no_length_cures_is_advised() {
+    let mut design = levalab_format::example("2RO").expect("2RO");
+    design.segments.iter_mut().for_each(|segment| segment.rise *= 6.0);
+    let (analysis, cures) = cures_of(&design);
+    let steep = analysis.findings.iter().position(|finding| finding.kind == FindingKind::PressureAngle).expect("steep");
+    assert!(matches!(cures[steep].last().map(|cure| &cure.remedy), Some(Remedy::NoSize { .. })), "{:?}", cures[steep]);
+}
+
 #[test]
 fn the_number_of_looks_does_not_grow_with_the_number_of_segments() {
     // Every look at a cam is linear in its segments, so the whole search is.

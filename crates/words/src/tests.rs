@@ -211,7 +211,7 @@ fn sentences_are_one_line_each() {
                 for key in ["arm", "pivot_distance"] {
                     check(language, &cure(language, design, &found, &Remedy::Length { key, value: 81.5 }));
                 }
-                for instead in [Instead::GentlerSegment, Instead::SmallerFaceAngle, Instead::SmoothMotion] {
+                for instead in [Instead::GentlerMotion, Instead::SmallerFaceAngle, Instead::SmoothMotion] {
                     for needed in [None, Some(1793.0)] {
                         check(language, &cure(language, design, &found, &Remedy::NoSize { needed, instead }));
                     }

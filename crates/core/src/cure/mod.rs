@@ -47,8 +47,8 @@ pub enum Cure {
 /// What puts a finding of the geometry right where size does not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Instead {
-    /// More of the turn, or less lift, for the segment where the finding is.
-    GentlerSegment,
+    /// Less lift where the finding is, or the same over more of the turn.
+    GentlerMotion,
     /// A smaller angle of the inclined face, which alone decides φ.
     SmallerFaceAngle,
     /// A motion whose velocity (or displacement) does not jump.
@@ -113,11 +113,12 @@ pub fn prescribe_in_parts(cam: &Cam, analysis: &Analysis, replay: &Replay) -> Ve
         | FindingKind::Undercut
         | FindingKind::GrooveUndercut
         | FindingKind::ConcaveFlat
-        | FindingKind::SelfCrossing
-        | FindingKind::ArmCutsCam
+        | FindingKind::SelfCrossing => sizes.clone(),
+        // Where the follower stands in the way, a gentler motion does not move it.
+        FindingKind::ArmCutsCam
         | FindingKind::PivotInsideCam
         | FindingKind::FaceOvertaken
-        | FindingKind::ContactPastPivot => sizes.clone(),
+        | FindingKind::ContactPastPivot => sizes.iter().filter(|cure| !is_advice(cure)).cloned().collect(),
     };
     analysis.findings.iter().map(of).collect()
 }
@@ -132,9 +133,14 @@ fn by_face_angle(cure: Cure) -> Cure {
 
 /// The cures of size with the balancing eccentricity after them, and an advice at the end.
 fn with_eccentricity(sizes: &[Cure], eccentricity: Option<Cure>) -> Vec<Cure> {
-    let is_advice = |cure: &&Cure| matches!(cure, Cure::NoSize { .. });
-    let cures = sizes.iter().filter(|cure| !is_advice(cure)).cloned().chain(eccentricity);
-    cures.chain(sizes.iter().filter(is_advice).cloned()).collect()
+    let (advice, mut cures): (Vec<Cure>, Vec<Cure>) = sizes.iter().cloned().partition(is_advice);
+    cures.extend(eccentricity);
+    cures.extend(advice);
+    cures
+}
+
+fn is_advice(cure: &Cure) -> bool {
+    matches!(cure, Cure::NoSize { .. })
 }
 
 /// The sizes with which every geometric limit is kept: another base circle or travel, another arm, another distance of the pivot.
@@ -158,10 +164,9 @@ fn size_cures(cam: &Cam, replay: &Replay) -> Vec<Cure> {
         let Some(index) = cam.follower.kind.index_of(key).filter(|_| !travels) else { continue };
         cures.extend(nearest_length(cam, index, (low, high), replay).map(|value| Cure::Length { key, value }));
     }
-    let slides = cam.follower.body == Body::Slide;
-    if cures.is_empty() && (slides && needed.is_none() || needed.is_some_and(|size| size > high)) {
+    if cures.is_empty() && needed.is_none_or(|size| size > high) {
         let broken = cam.program.classified_joints().iter().any(|joint| joint.jump.is_some_and(|order| order < 2));
-        let instead = if needed.is_none() && broken { Instead::SmoothMotion } else { Instead::GentlerSegment };
+        let instead = if needed.is_none() && broken { Instead::SmoothMotion } else { Instead::GentlerMotion };
         cures.push(Cure::NoSize { needed, instead });
     }
     cures

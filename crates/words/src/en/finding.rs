@@ -170,13 +170,14 @@ fn no_size(finding: &DesignFinding, needed: Option<f64>, instead: Instead, units
         Some(size) if units.travels => format!("A longer travel does not cure this: it would have to be {size}."),
         Some(size) => format!("Size does not cure this: Rb would have to be {size}."),
         None if units.travels => "No travel cures this.".to_owned(),
+        None if units.oscillating => "No length within reason cures this alone.".to_owned(),
         None => "No size cures this.".to_owned(),
     };
     let way = match instead {
-        Instead::GentlerSegment if units.travels => {
-            format!("A longer segment at {at} would, or less lift there.")
+        Instead::GentlerMotion => {
+            let span = if units.travels { "travel" } else { "angle" };
+            format!("A gentler motion at {at} would: less lift, or the same over more {span}.")
         }
-        Instead::GentlerSegment => format!("More degrees for the segment at {at} would, or less lift there."),
         Instead::SmallerFaceAngle => "A smaller angle of the face would.".to_owned(),
         Instead::SmoothMotion => "First the motion has to be without jumps of displacement and velocity.".to_owned(),
     };

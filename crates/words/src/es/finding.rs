@@ -171,13 +171,14 @@ fn no_size(finding: &DesignFinding, needed: Option<f64>, instead: Instead, units
         }
         Some(size) => format!("El tamaño no lo remedia: Rb tendría que ser de {size}."),
         None if units.travels => "Ninguna carrera lo remedia.".to_owned(),
+        None if units.oscillating => "Ninguna longitud razonable lo remedia por sí sola.".to_owned(),
         None => "Ningún tamaño lo remedia.".to_owned(),
     };
     let way = match instead {
-        Instead::GentlerSegment if units.travels => {
-            format!("Lo remediaría un tramo más largo en {at}, o menos elevación en él.")
+        Instead::GentlerMotion => {
+            let span = if units.travels { "carrera" } else { "ángulo" };
+            format!("Lo remediaría un movimiento más suave en {at}: menos elevación, o la misma en más {span}.")
         }
-        Instead::GentlerSegment => format!("Lo remediarían más grados para el tramo de {at}, o menos elevación en él."),
         Instead::SmallerFaceAngle => "Lo remediaría una inclinación menor de la cara.".to_owned(),
         Instead::SmoothMotion => {
             "Antes hay que quitar al movimiento los saltos de desplazamiento y de velocidad.".to_owned()
