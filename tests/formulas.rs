@@ -167,6 +167,32 @@ fn the_verdict_on_random_formulas_does_not_depend_on_the_rows() {
 }
 
 #[test]
+fn an_undercut_between_two_samples_is_found_beside_others() {
+    let text = "4*(1-cos(θ))*(1+0.2*tanh(1.055*(tanh(2.922*(sin(2.128*sin(5θ+2.037)))))))";
+    let undercuts = |base_radius: f64, rows: usize| {
+        let findings = Analysis::of(&roller(text, base_radius), rows).findings;
+        findings.iter().filter(|found| found.kind == FindingKind::Undercut).count()
+    };
+    let mut compared = 0;
+    for (low, high) in (30..100).map(|radius| (f64::from(radius), f64::from(radius) + 1.0)) {
+        let (mut small, mut large) = (low, high);
+        if undercuts(small, 720) == undercuts(large, 720) {
+            continue;
+        }
+        // Where a stretch of undercut shrinks to nothing it is shorter than any step.
+        for _ in 0..20 {
+            let middle = 0.5 * (small + large);
+            if undercuts(middle, 7_200) == undercuts(low, 7_200) { small = middle } else { large = middle }
+        }
+        for radius in [small - 1e-2, small - 1e-3, small - 1e-4, large + 1e-4] {
+            assert_eq!(undercuts(radius, 720), undercuts(radius, 72_000), "base radius {radius}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 0, "no stretch disappears");
+}
+
+#[test]
 fn narrow_bumps_steps_and_ripples_are_found() {
     let (mut random, count) = (Random(5), count(150, 2_000));
     let mut found = 0;
@@ -191,7 +217,10 @@ fn narrow_bumps_steps_and_ripples_are_found() {
         let seen = size >= 0.95 * peak * lift;
         found += usize::from(seen);
         assert!(seen || analysis.findings.iter().any(is_unproved), "{text}: {size}, not {}", peak * lift);
-        assert_ne!(analysis.level, Level::Acceptable, "{text}");
+        // A feature may be so weak where the lift is small that the cam bears it.
+        if analysis.level == Level::Acceptable {
+            assert_eq!(Analysis::of(&roller(&text, 60.0), 72_000).level, Level::Acceptable, "{text}");
+        }
     }
     assert!(found * 20 >= count * 19, "{found} of {count} are found");
 }

@@ -328,7 +328,7 @@ pub(crate) fn greatest_within(
 
 /// The intervals of θ (radians) in which `excess` of a quantity is positive; one that passes 2π ends beyond it.
 ///
-/// `peak` is a place already known to be positive, for an interval so short that no sample falls in it.
+/// `peak` is a place already known to be positive. Intervals so short that no sample falls in them are found by the samples around them.
 pub(crate) fn intervals(
     cam: &Cam,
     samples: &Samples,
@@ -341,8 +341,9 @@ pub(crate) fn intervals(
     let values = samples.of_all(quantity);
     for (stretch, span) in cam.program.stretches().iter().zip(&samples.spans) {
         let at = |theta: f64| excess(quantity.at(cam, stretch, theta));
-        let mut along: Vec<(f64, f64)> =
+        let sampled: Vec<(f64, f64)> =
             span.clone().map(|sample| (samples.theta[sample], excess(values[sample]))).collect();
+        let mut along = with_summits_across(&sampled, THETA_TOLERANCE * (cam.program.span() / TAU), at);
         if stretch.from < peak && peak < stretch.to {
             let after = along.partition_point(|point| point.0 < peak);
             along.insert(after, (peak, at(peak)));
@@ -368,6 +369,30 @@ pub(crate) fn intervals(
         }
     }
     found
+}
+
+/// Samples of a function with the summits and the bottoms between them that are on the other side of zero: intervals so short that no
+/// sample falls in them.
+fn with_summits_across(sampled: &[(f64, f64)], tolerance: f64, f: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    let mut along = sampled.to_vec();
+    for near in sampled.windows(3) {
+        let [before, here, after] = [near[0], near[1], near[2]];
+        let sign = if here.1 > 0.0 { -1.0 } else { 1.0 };
+        let [low, middle, high] = [before.1, here.1, after.1].map(|value| sign * value);
+        if low > middle || high > middle {
+            continue;
+        }
+        // The parabola through three samples may rise half as high as the function.
+        let rise = vertex([before.0, here.0, after.0], [low, middle, high]) - middle;
+        if middle + 2.0 * rise > 0.0 {
+            let (theta, value) = summit((before.0, after.0), (here.0, middle), tolerance, |theta| sign * f(theta));
+            if value > 0.0 && theta != here.0 {
+                along.push((theta, sign * value));
+            }
+        }
+    }
+    along.sort_by(|a, b| a.0.total_cmp(&b.0));
+    along
 }
 
 /// Where `f` changes sign between `low` and `high`.
