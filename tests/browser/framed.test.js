@@ -216,11 +216,14 @@ test("a finger over the mechanism scrolls the course page, and turns the cam onc
   const playing = () => frame.locator("#transport button[data-state]").getAttribute("data-state");
   await becomes(playing, "playing");
   const session = await page.context().newCDPSession(page);
-  const box = await frame.locator(".stage-canvas").boundingBox();
-  assert(box);
-  // On the cam, beside its centre.
-  const [x, y] = [box.x + box.width / 2 + 24, box.y + box.height * 0.62];
+  /** On the cam, beside its centre, where it lies now: what arrives later may move it. */
+  const onCam = async () => {
+    const box = await frame.locator(".stage-canvas").boundingBox();
+    assert(box);
+    return { x: box.x + box.width / 2 + 24, y: box.y + box.height * 0.62 };
+  };
   const swipe = async () => {
+    const { x, y } = await onCam();
     const touch = (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {number} */ by) =>
       session.send("Input.dispatchTouchEvent", { type, touchPoints: type === "touchEnd" ? [] : [{ x, y: y - by }] });
     await touch("touchStart", 0);
@@ -245,6 +248,7 @@ test("a finger over the mechanism scrolls the course page, and turns the cam onc
   for (const where of [page, frame]) await where.evaluate(() => scrollTo(0, 0));
   await becomes(far, 0);
   await pause(100);
+  const { x, y } = await onCam();
   await page.touchscreen.tap(x, y);
   await becomes(() => frame.evaluate(() => document.activeElement?.className), "stage-canvas");
   await swipe();
