@@ -1,23 +1,26 @@
-/** Points that are pasted from a spreadsheet, a CSV file or a text: two numbers a line, with decimal points or commas. */
+/** Points that are pasted from a spreadsheet, a cam editor or a text: two numbers a line, with decimal points or commas. */
 import { parseNumber } from "./numbers.js";
 
 /**
- * Reads the points of a text; what heads the columns is passed over.
+ * Reads the points of a text. Comments, words behind the two numbers and lines of words are passed over.
  * @param {string} text
  * @returns {{ points: [number, number][], line?: undefined } | { line: number, points?: undefined }} the points, or the line that cannot be read, from 1
  */
 export function pastedPoints(text) {
   /** @type {[number, number][]} */
   const points = [];
-  for (const [index, line] of text.split(/\r?\n/).entries()) {
-    if (line.trim() === "") continue;
+  /** The first line of words, which is at fault when no point follows. */
+  let words = 0;
+  for (const [index, whole] of text.split(/\r?\n/).entries()) {
+    const line = whole.replace(/(\/\/|#).*$/, "").trim();
+    if (line === "") continue;
     const numbers = columns(line).map((word) => parseNumber(word, "°").value);
-    const [at, value] = numbers;
-    if (numbers.length === 2 && at !== undefined && value !== undefined) points.push([at, value]);
-    // What heads a column is no point.
-    else if (points.length > 0 || /^[\s\d.,;+−-]*$/.test(line)) return { line: index + 1 };
+    const [at, value, ...others] = numbers;
+    if (at !== undefined && value !== undefined && others.every((other) => other === undefined)) points.push([at, value]);
+    else if (/\d/.test(line) && (points.length > 0 || /^[\s\d.,;+−-]*$/.test(line))) return { line: index + 1 };
+    else words ||= index + 1;
   }
-  return { points };
+  return points.length === 0 && words > 0 ? { line: words } : { points };
 }
 
 /** The columns of a line of a spreadsheet or a CSV file. @param {string} line */
