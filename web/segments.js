@@ -15,7 +15,7 @@ import { createSegmentMenu } from "./segment-menu.js";
 import { createSegmentRow, riseUnit, strideUnit } from "./segment-row.js";
 
 /** Rows that are made in one frame: a program of sixty-four segments holds up none. */
-const ROWS_A_FRAME = 12;
+const ROWS_A_FRAME = 4;
 
 /**
  * @param {ShellContext} context

@@ -23,6 +23,10 @@ const FORMULAS: u64 = 1_000_000;
 /// `--count 1000000`.
 const CURED: u64 = 100;
 
+/// One formula for so many designs is surveyed and then sampled a hundred times as densely as usual: twenty thousand with
+/// `--count 1000000`, and none for the usual count, since the tests of the core do it already.
+const COMPARED: u64 = 50;
+
 impl Default for Options {
     fn default() -> Self {
         Self { count: SHORT }
@@ -36,12 +40,14 @@ pub fn run(options: &Options) -> Result<()> {
     let formulas =
         ["--package", "levalab-core", "--lib", "--", "any_text_is_an_expression_or_a_refusal", "--nocapture"];
     let cures = ["--package", "levalab-format", "--test", "cures", "--", "every_cure", "--nocapture"];
+    let compared = ["--package", "levalab-core", "--test", "formulas", "--", "--nocapture"];
     let all = [
         ("designs and damaged links", count, designs.as_slice()),
         ("formulas", count.max(FORMULAS), &formulas),
         ("designs with all their cures", count / CURED, &cures),
+        ("formulas at two numbers of rows", if count > SHORT { count / COMPARED } else { 0 }, &compared),
     ];
-    for (what, count, arguments) in all {
+    for (what, count, arguments) in all.into_iter().filter(|(_, count, _)| *count > 0) {
         let mut command = process::cargo(["test", "--release"].into_iter().chain(arguments.iter().copied()));
         command.env("LEVALAB_SOAK", count.to_string());
         run_told(&format!("trying {count} {what}"), &mut command)?;
