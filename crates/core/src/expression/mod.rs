@@ -12,6 +12,7 @@ mod names;
 mod parse;
 mod powers;
 mod problem;
+mod remembered;
 mod survey;
 #[cfg(test)]
 mod tests;
@@ -22,9 +23,10 @@ pub use problem::{ExpressionFault, ExpressionProblem, MAX_EXPRESSION, Roughness,
 
 use crate::Svaj;
 use jet::Jet;
+use remembered::remembered;
 use std::f64::consts::{E, LN_10, PI};
 use std::sync::{Arc, OnceLock};
-use survey::{Survey, survey};
+use survey::Survey;
 
 /// An expression that has been read.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +53,7 @@ pub struct Formula {
     variables: Variables,
     scale: f64,
     shift: f64,
-    survey: Arc<OnceLock<Survey>>,
+    survey: Arc<OnceLock<Arc<Survey>>>,
 }
 
 /// An operation of an expression; operands come before operators.
@@ -192,7 +194,7 @@ impl Formula {
 
     /// What is known about it over [0, 1], worked out when it is first asked for.
     fn survey(&self) -> &Survey {
-        self.survey.get_or_init(|| survey(&self.expression, &self.variables))
+        self.survey.get_or_init(|| remembered(&self.expression, &self.variables))
     }
 
     /// Every x between 0 and 1, in order, at which it must be sampled so that nothing is missed.
