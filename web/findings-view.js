@@ -37,7 +37,7 @@ export function createFindingsView(root, list, unfold) {
   /** Where the last line ends that is whole in such a room; the room itself when not even one is. @param {number} room */
   function lastWhole(room) {
     const { top } = list.getBoundingClientRect();
-    const ends = Array.from(list.querySelectorAll("button"), (button) => Math.ceil(button.getBoundingClientRect().bottom - top));
+    const ends = Array.from(list.querySelectorAll("button, .counsel"), (part) => Math.ceil(part.getBoundingClientRect().bottom - top));
     return Math.max(0, ...ends.filter((end) => end <= room)) || room;
   }
 

@@ -13,7 +13,7 @@ const LEAST_PARTS: usize = 12;
 /// A row this close to a joint (radians) lies on it, and the joint's own limits are taken.
 const SNAP: f64 = 1e-11;
 
-/// Rows of the analysis and both limits at every joint; a new run wherever they differ.
+/// Rows of the analysis, the narrow features of formulas between them, and both limits at every joint; a new run wherever they differ.
 ///
 /// `shown` makes what is drawn of a value of the core.
 pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, shown: &dyn Fn(f64) -> f64) -> Diagram {
@@ -55,12 +55,18 @@ pub(crate) fn gather(quantity: Quantity, cam: &Cam, analysis: &Analysis, shown: 
         }
         row += rows[row..].partition_point(|&theta| theta <= stretch.from + SNAP);
         let after = row + rows[row..].partition_point(|&theta| theta < stretch.to - SNAP);
+        let at_row = |k: usize| values.map_or_else(|| value(stretch, rows[k]), |values| shown(values[k]));
+        let mut narrow = stretch.places().peekable();
         if stretch.is_still() {
             // Two ends are a straight line.
-        } else if after - row + 1 >= LEAST_PARTS {
-            let inside = row..after;
-            let value = |k: usize| values.map_or_else(|| value(stretch, rows[k]), |values| shown(values[k]));
-            diagram.points.extend(inside.map(|k| (place(cam, rows[k]), value(k))));
+        } else if after - row + 1 >= LEAST_PARTS || narrow.peek().is_some() {
+            for (k, &here) in (row..after).zip(&rows[row..after]) {
+                while let Some(theta) = narrow.next_if(|&theta| theta < here) {
+                    diagram.points.push((place(cam, theta), value(stretch, theta)));
+                }
+                diagram.points.push((place(cam, here), at_row(k)));
+            }
+            diagram.points.extend(narrow.map(|theta| (place(cam, theta), value(stretch, theta))));
         } else {
             let part = (stretch.to - stretch.from) / LEAST_PARTS as f64;
             let inside = (1..LEAST_PARTS).map(|i| stretch.from + part * i as f64);

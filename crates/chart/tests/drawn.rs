@@ -336,3 +336,33 @@ fn a_sheet_shows_exactly_its_heights_with_and_without_a_curve() {
         assert!((highest - expected.max(top)).abs() <= UNITS, "{highest} is not {expected}");
     }
 }
+
+#[test]
+fn a_bump_between_two_rows_is_drawn_to_its_extremes() {
+    let expression = "5*(1-cos(theta))+1*exp(-((theta-2.2034781806)/0.001)^2)";
+    let law = levalab_core::Law::by_id("formula").expect("it is one of the laws");
+    let data = levalab_core::law::Data::Expression(expression.to_owned());
+    let segment = levalab_core::Segment { data, ..levalab_core::Segment::new(law, std::f64::consts::TAU, 0.0) };
+    let program = levalab_core::Program::new(&[segment]).expect("a formula of one turn");
+    let cam = Cam::new(
+        program,
+        support::follower(
+            "translating-roller",
+            40.0,
+            &[("roller_radius", 10.0)],
+            levalab_core::Rotation::CounterClockwise,
+        ),
+    );
+    let analysis = Analysis::of(&cam, 720);
+    let diagram = Diagram::of(Quantity::A, &cam, &analysis, Timing::PerRadian);
+    let (text, area) = svg(
+        &diagram,
+        &Style { width: 600.0, height: 200.0, curve: colour(CURVE).expect("a colour"), ..Style::default() },
+    );
+    let extremes = analysis.summary.a;
+    assert!(area.y_min <= extremes.min && extremes.max <= area.y_max, "{extremes:?} in {area:?}");
+    let heights = || curve(&text).into_iter().map(|(_, y)| y);
+    let drawn = heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
+    let whole = (extremes.max - extremes.min) / unit_of_y(&area);
+    assert!((drawn - whole).abs() < 0.01 * whole, "{drawn} of {whole}");
+}

@@ -78,8 +78,9 @@ impl Stretch {
         ranges
     }
 
-    /// Every θ inside the stretch, in order, at which it must be sampled so that nothing is missed.
-    pub(crate) fn places(&self) -> impl Iterator<Item = f64> {
+    /// Every θ inside the stretch (radians, or length of a cam that travels), in order, at which it must be sampled besides the rows of
+    /// an analysis so that nothing is missed: places of a formula, none of other laws.
+    pub fn places(&self) -> impl Iterator<Item = f64> {
         let theta = |x: &f64| self.origin + self.beta * x;
         self.curve.places().iter().map(theta).filter(|theta| self.from < *theta && *theta < self.to)
     }

@@ -58,6 +58,9 @@ pub enum Instead {
 /// |φ| gained by a balancing eccentricity must be worth it: this many radians (half a degree) at least.
 const WORTHWHILE: f64 = 0.5 * std::f64::consts::PI / 180.0;
 
+/// An eccentricity smaller than this part of the base radius is none.
+const NO_OFFSET: f64 = 1e-6;
+
 /// A size that a cure proposes is at most this many times the base radius and the lift together, and at least the same part of it:
 /// beyond that the machine would have to be designed anew.
 const BELIEVABLE_RATIO: f64 = 5.0;
@@ -181,6 +184,8 @@ fn eccentricity(cam: &Cam, finding: &Finding, replay: &Replay) -> Option<Cure> {
     let [value, pressure_angle, sound] = replay.values(|| {
         let balanced = || {
             let value = balanced_eccentricity(cam)?;
+            // Rise and return that mirror each other are balanced on the axis, but for rounding.
+            let value = if value.abs() < NO_OFFSET * cam.size() { 0.0 } else { value };
             let moved = cam.with_follower(cam.follower.with_value(index, value).ok()?);
             let analysis = Analysis::of(&moved, 1);
             let motion_or_angle = |f: &Finding| f.kind.is_of_the_motion() || f.kind == FindingKind::PressureAngle;
