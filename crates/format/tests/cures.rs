@@ -270,6 +270,26 @@ fn an_oscillating_follower_that_no_length_cures_is_advised() {
 }
 
 #[test]
+fn a_change_that_leaves_a_jump_is_not_offered_at_the_price_of_one_that_leaves_none() {
+    let link = "1.Example_7CRT.R85_10kd380P36_20P36-20P36_20P36-20P36_20P36-20P36_20P36-20P36_20P36-20.2sBf7P";
+    let design = levalab_format::link::decode(link).expect("a link");
+    let (_, cures) = cures_of(&design);
+    assert!(cures.iter().flatten().count() > 0);
+    for cures in cures {
+        let told = cures.iter().filter_map(|cure| match &cure.remedy {
+            Remedy::Laws { remaining_jump, price, .. } => Some((*remaining_jump, *price)),
+            _ => None,
+        });
+        let told = told.collect::<Vec<_>>();
+        for (_, price) in told.iter().filter(|(jump, _)| jump.is_some()) {
+            let close = |one: f64| price.acceleration.is_some_and(|other| (one - other).abs() < 0.01);
+            let smooth = told.iter().any(|(jump, other)| jump.is_none() && other.acceleration.is_some_and(close));
+            assert!(!smooth, "{told:?}");
+        }
+    }
+}
+
+#[test]
 fn the_number_of_looks_does_not_grow_with_the_number_of_segments() {
     // Every look at a cam is linear in its segments, so the whole search is.
     let looks = |count: usize| {

@@ -89,6 +89,25 @@ pub struct Price {
     pub lift: Option<(f64, f64)>,
 }
 
+impl DesignCure {
+    /// True of a change of laws that leaves no jump and costs no more than another, which leaves one.
+    fn is_no_dearer_and_smoother(&self, other: &Self) -> bool {
+        let (
+            Remedy::Laws { remaining_jump: None, price, .. },
+            Remedy::Laws { remaining_jump: Some(_), price: dearer, .. },
+        ) = (&self.remedy, &other.remedy)
+        else {
+            return false;
+        };
+        let angle = |price: &Price| price.pressure_angle.map_or(0.0, |(after, _)| after);
+        // Below the present peak no price is told, so nothing is known of which is lower.
+        let peak = |price: &Price| price.acceleration;
+        angle(price) <= angle(dearer) + ANGLE_PRICE
+            && peak(price).zip(peak(dearer)).is_some_and(|(one, other)| one <= other + ACCELERATION_PRICE)
+            && (price.lift.is_none() || price.lift == dearer.lift)
+    }
+}
+
 /// A rise of |φ| by less than this many degrees is no price worth a word.
 const ANGLE_PRICE: f64 = 0.1;
 
@@ -140,7 +159,13 @@ fn cures_in_parts(design: &Design, cam: &Cam, analysis: &Analysis, replay: &Repl
     let each = analysis.findings.iter().zip(remedies);
     let of = |(finding, remedies): (&Finding, Vec<Remedy>)| {
         let offer = |remedy: Remedy| offered(design, cam, analysis, finding, remedy, &mut tried, replay);
-        remedies.into_iter().filter_map(offer).collect()
+        let mut cures: Vec<DesignCure> = Vec::new();
+        for cure in remedies.into_iter().filter_map(offer) {
+            if !cures.iter().any(|better| better.is_no_dearer_and_smoother(&cure)) {
+                cures.push(cure);
+            }
+        }
+        cures
     };
     each.map(of).collect()
 }
