@@ -14,7 +14,10 @@ import { createClosing } from "./segment-closing.js";
 import { createSegmentMenu } from "./segment-menu.js";
 import { createSegmentRow, riseUnit, strideUnit } from "./segment-row.js";
 
-/** Rows that are made in one frame: a program of sixty-four segments holds up none. */
+/** Rows that are made at once: no usual program grows before the eyes. */
+const ROWS_AT_ONCE = 12;
+
+/** Rows of a longer one that are made in each frame after that: sixty-four segments hold up none. */
 const ROWS_A_FRAME = 4;
 
 /**
@@ -175,7 +178,7 @@ export function createSegments(context, texts) {
     const next = JSON.stringify([design.segments, design.cam, riseUnit(design), error, language]);
     if (next === shown) return;
     shown = next;
-    fill(ROWS_A_FRAME);
+    fill(ROWS_AT_ONCE);
     const ready = design.cam.kind === "constant-breadth" && design.cam.generator !== "mirror";
     hide(root, ready);
     write(riseHead, riseUnit(design));
