@@ -172,6 +172,8 @@ export function createSegments(context, texts) {
   }
 
   let shown = "";
+  /** True while the next frame will make more rows. */
+  let growing = false;
 
   function update() {
     const { design, error, language } = store.state;
@@ -202,7 +204,12 @@ export function createSegments(context, texts) {
       list.append(row.root);
     }
     rows.forEach((row, index) => row.update(index));
-    if (rows.length < length) requestAnimationFrame(() => fill(ROWS_A_FRAME));
+    if (rows.length === length || growing) return;
+    growing = true;
+    requestAnimationFrame(() => {
+      growing = false;
+      fill(ROWS_A_FRAME);
+    });
   }
 
   /** @param {SegmentRow} row */

@@ -120,7 +120,7 @@ pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
     for (name, values) in &mut columns {
         // A radius of curvature has no scale to compare with, since it may be infinite.
         if !name.contains("rho") {
-            // Degrees: those of a flat face are rounding alone, and have no size of their own.
+            // Compared with one degree: the pressure angle of a flat face is 0 but for rounding, so its own maximum gives no scale.
             let size = if name.ends_with(Column::PressureAngle.name()) { 90.0 } else { 0.0 };
             without_rounding(values, size);
         }

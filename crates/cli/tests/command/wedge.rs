@@ -1,4 +1,4 @@
-//! What is peculiar to a cam that travels, and rounding noise, in every output.
+//! The units and the missing base radius of a cam that travels, in every output; and that rounding noise is printed as 0.
 
 use crate::run::{file_of, said, with_input};
 

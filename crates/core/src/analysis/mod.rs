@@ -25,7 +25,7 @@ pub struct Analysis {
     pub inflections: Vec<f64>,
     /// Every joint, the one at θ = 0 first.
     pub joints: Vec<Joint>,
-    /// What is wrong, in the order of [`Finding::gravest_first`].
+    /// The findings, sorted by [`Finding::gravest_first`].
     pub findings: Vec<Finding>,
     /// The verdict.
     pub level: Level,

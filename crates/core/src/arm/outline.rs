@@ -1,4 +1,4 @@
-//! The profile as a polygon and the arms beside it: which of them come near each other, and how deep an arm is inside the cam.
+//! The profile as a polygon, and the arm at places around the turn: which sides an arm comes near, and how deep it is inside the cam.
 
 use super::{Arm, Cut, cross, peak};
 use crate::samples::Samples;
@@ -11,7 +11,7 @@ const MIN_PLACES: usize = 720;
 /// Sides of the profile that share one bounding circle: about the square root of their number, which needs the fewest comparisons.
 const BLOCK: usize = 24;
 
-/// Smaller bounding circles within that of a block.
+/// Parts of a block of sides, each with a bounding circle of its own inside that of the block.
 const PARTS: usize = 4;
 
 /// Arms at neighbouring places that are compared with a bounding circle together.
@@ -150,7 +150,7 @@ impl<'a> Outline<'a> {
         pairs.iter().flat_map(|pair| self.parts[pair.part].sides.clone())
     }
 
-    /// True where a vertex beside an arm may be touched by it: on its length, outside of the disc at its end.
+    /// True for a vertex of the polygon that the arm may touch: its foot lies on the arm, and it lies outside the disc around the trace point.
     pub fn is_beside(&self, arm: Arm, point: Point) -> bool {
         let foot = arm.foot(point);
         0.0 < foot && foot <= 1.0 && (point - arm.from).norm_sqr() >= 0.9 * self.clear * self.clear
