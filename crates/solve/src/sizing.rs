@@ -51,7 +51,7 @@ fn size_of(board: &Board) -> f64 {
 fn slope(board: &mut Board, symbol: &str) {
     let cam = board.cam();
     let limit = number::angle(cam.follower.pressure_angle_limit().to_degrees());
-    let angles = board.subject.analysis.summary.pressure_angle;
+    let angles = board.study.analysis().summary.pressure_angle;
     let (value, at) = angles.greatest_size();
     if angles.max - angles.min <= number::NEGLIGIBLE {
         let told = format!("$|φ| = {}{{°}}$", number::angle(value.to_degrees()));
@@ -121,7 +121,7 @@ fn slope(board: &mut Board, symbol: &str) {
 
 fn curvature(board: &mut Board, symbol: &str) {
     let cam = board.cam();
-    let summary = &board.subject.analysis.summary;
+    let summary = &board.study.analysis().summary;
     let flat = cam.follower.is_flat();
     let condition = match cam.follower.disc_radius() {
         0.0 if flat => "ρ > 0",

@@ -1,7 +1,7 @@
 //! The small diagrams of a law: s, v, a and j of a cam that uses it.
 
 use crate::html::Pen;
-use crate::study::cam;
+use crate::law_facts::cam;
 use crate::words::{Two, two};
 use levalab_chart::{Diagram, Quantity, Style, Timing, colour, svg};
 use levalab_core::law::Group;

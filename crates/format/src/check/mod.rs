@@ -16,6 +16,14 @@ impl Design {
     /// Names the first place that is wrong: a title, a number out of range, β's that miss 360°, rises that miss the
     /// starting height, a law or a geometry that cannot be.
     pub fn cam(&self) -> Result<Cam, DesignError> {
+        self.cams().map(|(first, _)| first)
+    }
+
+    /// Checks everything as [`Design::cam`] does and gives the cam with the second one of a conjugate pair.
+    ///
+    /// # Errors
+    /// As [`Design::cam`].
+    pub fn cams(&self) -> Result<(Cam, Option<Cam>), DesignError> {
         check_title(&self.title)?;
         check_range(["speed", "value"], self.speed.value, &SPEED, Measure::Speed)?;
         self.check_geometry()?;
@@ -27,9 +35,9 @@ impl Design {
         };
         let follower = follower.map_err(|error| self.geometry_error(error))?;
         let cam = Cam::new(program, follower).closed_by(self.kind.closure());
-        self.second(&cam)?;
+        let second = self.second(&cam)?;
         self.check_application()?;
-        Ok(cam)
+        Ok((cam, second))
     }
 
     fn check_geometry(&self) -> Result<(), DesignError> {

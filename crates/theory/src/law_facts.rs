@@ -12,7 +12,7 @@ pub(crate) fn rising(law: &Law) -> Arguments {
 const ROUNDING: f64 = 1e-9;
 
 /// A law between two rests.
-pub struct Study {
+pub struct LawFacts {
     /// Its curve.
     pub pieces: Vec<Piece>,
     /// Greatest |y|, |y′|, |y″| and |y‴|.
@@ -21,7 +21,7 @@ pub struct Study {
     pub jumps: [Vec<(f64, f64)>; 4],
 }
 
-impl Study {
+impl LawFacts {
     /// Studies a law with the parameters that a form starts with; none when its curve depends on data.
     #[must_use]
     pub fn of(law: &Law) -> Option<Self> {
