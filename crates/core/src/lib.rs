@@ -48,6 +48,7 @@ mod parameter;
 mod program;
 mod replay;
 mod samples;
+mod search;
 mod series;
 mod sizing;
 mod stretch;

@@ -111,25 +111,6 @@ impl Arm {
     }
 }
 
-/// Where a function with one summit between two places is highest, and its value there, by so many steps of a golden section.
-fn peak(mut low: f64, mut high: f64, steps: usize, f: impl Fn(f64) -> f64) -> (f64, f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let (mut left, mut right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-    let (mut at_left, mut at_right) = (f(left), f(right));
-    for _ in 0..steps {
-        if at_left >= at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = high - GOLDEN * (high - low);
-            at_left = f(left);
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = low + GOLDEN * (high - low);
-            at_right = f(right);
-        }
-    }
-    if at_left >= at_right { (left, at_left) } else { (right, at_right) }
-}
-
 fn dot(a: Point, b: Point) -> f64 {
     a.re * b.re + a.im * b.im
 }
