@@ -32,7 +32,6 @@ mod diagram;
 mod extremes;
 mod frame;
 mod gather;
-mod numerals;
 mod paint;
 mod quantity;
 mod radius;

@@ -5,6 +5,7 @@ mod support;
 
 use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour, draw, svg};
 use levalab_core::{Analysis, Cam, Motion, Svaj};
+use levalab_numbers::write::DecimalSign;
 use plotters::prelude::IntoDrawingArea;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 use proptest::prelude::*;
@@ -31,7 +32,7 @@ fn style() -> impl Strategy<Value = Style> {
             height: (height + 3.0 * font_size).round(),
             font_size,
             x_labels,
-            decimal_comma,
+            decimal_sign: if decimal_comma { DecimalSign::Comma } else { DecimalSign::Point },
             curve: colour(CURVE).expect("a colour"),
             ..Style::default()
         },
@@ -66,7 +67,7 @@ fn curve(text: &str) -> Vec<(f64, f64)> {
 /// Width of a character, in heights of the type.
 fn width_of(character: char) -> f64 {
     match character {
-        '\u{2009}' => 0.2,
+        '\u{202f}' => 0.2,
         '\u{2212}' | '×' => 0.84,
         '0'..='9' => FIGURE,
         '.' | ',' => FIGURE / 2.0,

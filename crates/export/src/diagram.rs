@@ -171,7 +171,7 @@ fn style((curve, dash): (&str, &[f64]), language: Language, height: f64, last: b
         curve: colour(curve).unwrap_or(usual.curve),
         dash: dash.to_vec(),
         x_labels: last,
-        decimal_comma: language == Language::Es,
+        decimal_sign: language.decimal_sign(),
         ..usual
     }
 }

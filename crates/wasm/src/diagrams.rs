@@ -4,6 +4,7 @@ use crate::lab::{Beside, Lab};
 use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour};
 use levalab_edge::object;
 use levalab_format::CamStudy;
+use levalab_numbers::write::DecimalSign;
 use plotters::prelude::IntoDrawingArea;
 use plotters_canvas::CanvasBackend;
 use serde::Serialize;
@@ -170,7 +171,7 @@ impl PageStyle {
             others: Vec::new(),
             stroke: self.number("stroke")?,
             x_labels: self.is("x_labels"),
-            decimal_comma: self.is("decimal_comma"),
+            decimal_sign: if self.is("decimal_comma") { DecimalSign::Comma } else { DecimalSign::Point },
         })
     }
 }

@@ -1,8 +1,9 @@
 //! What is said of an application. Apart from the voices, so that a page without one does not carry it.
 
-use crate::{Language, Units, capital, numbers, two};
+use crate::{Language, Units, capital, two};
 use levalab_core::application::Magnitude;
 use levalab_format::{ApplicationDesign, Design, Outcome, OutputRange, Target};
+use levalab_numbers::write;
 
 /// The name of an application, of one of its outputs, parameters or figures, as within a sentence: `piston pump`, `flow`, `piston radius`.
 #[must_use]
@@ -105,7 +106,7 @@ impl Sentences<'_> {
 
     /// As many digits as measurements are told with.
     fn fine(&self, value: f64) -> String {
-        numbers::significant(value, 6, self.language.decimal_sign())
+        write::significant(value, 6, self.language.decimal_sign())
     }
 
     fn measured(&self, number: &str, magnitude: Magnitude) -> String {

@@ -23,7 +23,7 @@ mod en;
 mod es;
 mod join;
 mod notation;
-mod numbers;
+mod number_problem;
 mod pair;
 mod two;
 mod units;
@@ -31,7 +31,7 @@ mod voice;
 
 pub use application::{application_head, application_name, application_title, outcome};
 pub use notation::{SIGNS, Signs};
-pub use numbers::notation;
+pub use number_problem::number_problem;
 pub use pair::no_second;
 pub use two::{Two, capital, two};
 pub use voice::FileProblem;
@@ -42,6 +42,7 @@ use levalab_core::{FindingKind, FollowerKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Design, DesignError, Remedy};
+use levalab_numbers::write::{self, DecimalSign};
 use units::Units;
 use voice::Voice;
 
@@ -74,27 +75,27 @@ impl Language {
         Self::ALL.into_iter().find(|language| language.tag() == tag)
     }
 
-    /// A number with four significant digits at most: `−1.25`, `12 350`, `4.3·10⁻⁶`.
+    /// A measured quantity with four significant digits, whole digits kept: `−1.25`, `12 345`, `4.3·10⁻⁶`.
     #[must_use]
     pub fn number(self, value: f64) -> String {
-        numbers::significant(value, 4, self.decimal_sign())
+        write::measured(value, self.decimal_sign())
     }
 
     /// A number with all the digits that it was typed with.
     #[must_use]
     pub fn exact(self, value: f64) -> String {
-        numbers::significant(value, 12, self.decimal_sign())
+        write::exact(value, self.decimal_sign())
     }
 
     /// An angle in degrees with one decimal at most: `33.2°`.
     #[must_use]
     pub fn angle(self, degrees: f64) -> String {
-        numbers::fixed(degrees, 1, self.decimal_sign()) + "°"
+        write::rounded(degrees, 1, self.decimal_sign()) + "°"
     }
 
     /// A ratio with two decimals at most: `1.19`.
     fn ratio(self, value: f64) -> String {
-        numbers::fixed(value, 2, self.decimal_sign())
+        write::rounded(value, 2, self.decimal_sign())
     }
 
     /// An angle in degrees with four significant digits at most: `86.25°`.
@@ -102,10 +103,12 @@ impl Language {
         self.number(degrees) + "°"
     }
 
-    fn decimal_sign(self) -> char {
+    /// The decimal sign: a point in English, a comma in Spanish.
+    #[must_use]
+    pub fn decimal_sign(self) -> DecimalSign {
         match self {
-            Self::En => '.',
-            Self::Es => ',',
+            Self::En => DecimalSign::Point,
+            Self::Es => DecimalSign::Comma,
         }
     }
 
