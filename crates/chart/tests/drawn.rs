@@ -87,7 +87,7 @@ fn around(quantity: Quantity, cam: &Cam, theta: f64, reach: f64) -> (f64, f64) {
         Quantity::Rho => cam.follower.profile_radius(cam.follower.contact(motion).bend),
         Quantity::Contact => cam.follower.contact(motion).reach,
     };
-    let swings = cam.follower.kind.motion == Motion::Oscillating
+    let swings = cam.follower.kind().motion == Motion::Oscillating
         && !matches!(quantity, Quantity::PressureAngle | Quantity::Contact);
     within(cam, theta, reach, PARTS, |motion| if swings { value(motion).to_degrees() } else { value(motion) })
 }
@@ -323,9 +323,7 @@ fn a_sheet_shows_exactly_its_heights_with_and_without_a_curve() {
 
     let segments = [("cycloidal", 180.0, 20.0), ("cycloidal", 180.0, -20.0)];
     let segments = segments.map(|(law, beta, rise)| levalab_core::Segment::of(law, beta, rise).expect("a segment"));
-    let kind = levalab_core::FollowerKind::by_id("translating-roller").expect("a roller");
-    let follower =
-        levalab_core::Follower::new(kind, 40.0, [10.0, 0.0, 0.0, 0.0], levalab_core::Rotation::CounterClockwise);
+    let follower = levalab_core::Follower::translating_roller(40.0, 10.0);
     let cam = Cam::new(levalab_core::Program::new(&segments).expect("a program"), follower.expect("a follower"));
     let analysis = Analysis::of(&cam, 360);
     for high in [26.0, 15.0] {

@@ -61,13 +61,13 @@ fn of_cam(cam: &CamStudy, second: bool, step: Step) -> Vec<Curve> {
     let through = |x, y| shape(cam, analysis, x, y);
     let mut shapes = Vec::new();
     if cam.program.is_cyclic() {
-        shapes.push((Role::Base, Some(Shape::Circle(follower.base_radius))));
+        shapes.push((Role::Base, Some(Shape::Circle(follower.base_radius()))));
     } else {
         let ends = [Point::new(0.0, 0.0), Point::new(cam.program.span(), 0.0)];
         shapes.push((Role::Base, Some(Shape::Open(ends.to_vec()))));
     }
     if follower.disc_radius() > 0.0 {
-        let prime = follower.base_radius + follower.disc_radius();
+        let prime = follower.base_radius() + follower.disc_radius();
         shapes.push((Role::Prime, cam.program.is_cyclic().then_some(Shape::Circle(prime))));
         shapes.push((Role::Pitch, through(Column::PitchX, Column::PitchY)));
     }

@@ -25,7 +25,7 @@ pub(crate) fn follower<'a>(cams: impl Iterator<Item = &'a CamStudy>, reach: f64)
     for (k, study) in cams.enumerate() {
         let cam = study.cam();
         let (_, contact) = cam.at(0.0);
-        match cam.follower.body {
+        match cam.follower.body() {
             // Of a second cam only what touches is drawn: the rest is the first follower's.
             _ if k > 0 => all.push(element(study, &contact, t)),
             Body::Slide => all.extend(sliding(study, &contact, t)),
@@ -44,7 +44,7 @@ pub(crate) fn follower<'a>(cams: impl Iterator<Item = &'a CamStudy>, reach: f64)
 fn element(study: &CamStudy, contact: &Contact, t: f64) -> Outline {
     let cam = study.cam();
     let Contact { trace, point, normal, .. } = *contact;
-    match cam.follower.element {
+    match cam.follower.element() {
         Element::Disc { radius, .. } => Outline::Disc(trace, radius.max(0.1 * t)),
         Element::Face { .. } => {
             let (from, to) = face_range(study);
@@ -58,7 +58,7 @@ fn sliding(study: &CamStudy, contact: &Contact, t: f64) -> Vec<Outline> {
     let cam = study.cam();
     let Contact { trace, point, normal, .. } = *contact;
     let up = |x: f64, y: f64| Point::new(x, y);
-    match (cam.follower.element, cam.follower.kind.contact) {
+    match (cam.follower.element(), cam.follower.kind().contact) {
         (Element::Disc { radius, .. }, ContactKind::Roller) => {
             let half = (0.5 * radius).clamp(0.4 * t, 1.1 * t);
             let mut all = stem(trace, half, trace.im, trace.im + radius + 5.0 * t, t);
@@ -101,7 +101,7 @@ fn swinging(study: &CamStudy, contact: &Contact, pivot: Point, t: f64) -> Vec<Ou
     let Contact { trace, point, normal, .. } = *contact;
     let ground = [Point::new(0.0, 0.0), Point::new(1.6 * t, -2.6 * t), Point::new(-1.6 * t, -2.6 * t)];
     let mut all = vec![Outline::Ground(ground.map(|corner| pivot + corner).to_vec())];
-    match cam.follower.element {
+    match cam.follower.element() {
         Element::Disc { radius, .. } => {
             let arm = trace - pivot;
             let side = arm / arm.norm() * Point::i() * (0.5 * t);

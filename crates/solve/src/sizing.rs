@@ -45,7 +45,7 @@ pub fn write(board: &mut Board) {
 const VANISHED: f64 = 1e-5;
 
 fn size_of(board: &Board) -> f64 {
-    if board.travels() { board.cam().program.span() } else { board.cam().follower.base_radius }
+    if board.travels() { board.cam().program.span() } else { board.cam().follower.base_radius() }
 }
 
 fn slope(board: &mut Board, symbol: &str) {
@@ -132,7 +132,7 @@ fn curvature(board: &mut Board, symbol: &str) {
     let needed = smallest_for(cam, SizeLimit::Curvature);
     if flat && !board.swings() && cam.follower.value("face_angle") == Some(0.0) {
         let (least, at) = (summary.rho.min, summary.rho.min_at);
-        let sum = number::result(least - cam.follower.base_radius);
+        let sum = number::result(least - cam.follower.base_radius());
         board.say(
             two(
                 "From the radius of curvature: $ρ = R_b + s + a$ is least at $θ = {at}$,",

@@ -30,8 +30,8 @@ impl Design {
         let program = self.program()?;
         let values = to_core(self.follower.parameters, self.values, 1.0, 1.0);
         let follower = match self.kind.travel() {
-            Some(_) => Follower::on_travel(self.follower, values),
-            None => Follower::new(self.follower, self.base_radius, values, self.rotation),
+            Some(_) => Follower::on_travel(self.follower, &values),
+            None => Follower::new(self.follower, self.base_radius, &values, self.rotation),
         };
         let follower = follower.map_err(|error| self.geometry_error(error))?;
         let cam = Cam::new(program, follower).closed_by(self.kind.closure());

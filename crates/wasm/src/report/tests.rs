@@ -125,7 +125,7 @@ fn no_sentence_by_time_and_no_cure_states_a_derivative_by_angle() {
                 let said = by_time.unwrap_or_default();
                 assert!(!said.contains("/rad") && !said.contains("1/mm"), "{said}");
             }
-            if cam.cam().follower.reversed.is_none() {
+            if cam.cam().follower.reversed().is_none() {
                 let cures = told_cures(cam, cam.cures(), language);
                 let said = serde_json::to_string(&cures).expect("JSON");
                 assert!(!said.contains("/rad") && !said.contains("/s"), "{said}");
