@@ -340,6 +340,15 @@ export interface Report {
 }
 
 export type Opened = { report: Report; error?: undefined } | { error: DesignError; report?: undefined };
+/** What an address holds: nothing at all when there is no link in it. */
+export interface OpenedLink {
+  design?: Design;
+  link?: string;
+  /** What is to be said about how the link came. */
+  note?: string;
+  error?: DesignError;
+}
+
 export type Read = { design: Design; error?: undefined } | { error: DesignError; design?: undefined };
 
 /** A file that is wanted of the module for exports; lengths in the unit of the design. */

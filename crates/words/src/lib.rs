@@ -219,6 +219,12 @@ pub fn link_error(language: Language, error: &LinkError) -> String {
     }
 }
 
+/// The sentence about a link that came as the query of an address: unlike a fragment, a query is sent to the server.
+#[must_use]
+pub fn link_from_query(language: Language) -> &'static str {
+    language.voice().link_from_query()
+}
+
 /// Why a design has no link.
 #[must_use]
 pub fn too_long(language: Language, refusal: TooLong) -> String {

@@ -225,6 +225,7 @@ fn sentences_are_one_line_each() {
             check(language, &link_error(language, &error));
         }
         check(language, &too_long(language, TooLong { found: 2001, limit: 2000 }));
+        check(language, link_from_query(language));
     }
 }
 

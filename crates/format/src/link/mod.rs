@@ -11,16 +11,18 @@
 //!
 //! The grammar is in `docs/design-format.md`. A link is exact (every number reads back as the same `f64`), canonical (a
 //! design has one link, and no other text opens as that design) and guarded by a CRC-32: a damaged link is told, never
-//! opened as another design.
+//! opened as another design. [`open`] undoes what programs add to a link on its way.
 
 mod application;
 mod codes;
 mod data;
 mod number;
 mod reader;
+mod repair;
 mod title;
 
 pub use codes::{FOLLOWER_CODES, LAW_CODES};
+pub use repair::{Opened, open};
 
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::measure::default_of;
@@ -76,7 +78,7 @@ pub fn encode(design: &Design) -> Result<String, TooLong> {
     if text.len() <= MAX_LINK_MADE { Ok(text) } else { Err(TooLong { found: text.len(), limit: MAX_LINK_MADE }) }
 }
 
-/// The design of a link, given without its leading `#`.
+/// The design of a link, given without its leading `#` and exactly as it was made; [`open`] takes what people paste.
 ///
 /// # Errors
 /// Says why it is no link, or why its design is refused. Nothing is computed before the checksum matches.
@@ -101,13 +103,6 @@ pub fn decode(text: &str) -> Result<Design, LinkError> {
     let design = reader::read(fields)?;
     design.cam().map_err(LinkError::Design)?;
     if write(&design) == text { Ok(design) } else { Err(LinkError::Unreadable) }
-}
-
-/// The link within what a user pastes: a whole address, or a link with or without its `#`, with spaces around it.
-#[must_use]
-pub fn within(text: &str) -> &str {
-    let text = text.trim();
-    text.rsplit_once('#').map_or(text, |(_, fragment)| fragment)
 }
 
 fn is_of_a_link(c: char) -> bool {

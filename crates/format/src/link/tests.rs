@@ -1,6 +1,6 @@
 //! Claims about links.
 
-use super::{LinkError, decode, encode, within};
+use super::{LinkError, decode, encode};
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::testing::{self, Random};
 use crate::{Design, Notation, Problem, ProgramRefusal, SegmentDesign, example};
@@ -147,14 +147,6 @@ fn another_spelling_of_a_design_is_refused() {
 fn numbers_out_of_range_are_refused() {
     for fields in ["a.R1e999_7D360", "a.R0_7D360", "a.R35_7w1e99D360", "a.R35_7C360_1e9"] {
         assert!(matches!(decode(&sealed(&format!("1.{fields}"))), Err(LinkError::Design(_))), "{fields}");
-    }
-}
-
-#[test]
-fn a_link_is_found_within_what_people_paste() {
-    for text in ["1.a.b", "#1.a.b", " 1.a.b\n", "https://example.org/cams/#1.a.b", "file:///C:/cams/index.html?x#1.a.b"]
-    {
-        assert_eq!(within(text), "1.a.b");
     }
 }
 

@@ -143,6 +143,10 @@ impl Voice for English {
         }
     }
 
+    fn link_from_query(&self) -> &'static str {
+        "The link came behind “?” instead of “#”, so the design did reach the server of this page. The address now holds it behind “#”, which stays in the browser."
+    }
+
     fn too_long(&self, TooLong { found, limit }: TooLong) -> String {
         format!(
             "The link would have {found} characters; beyond {limit} it does not travel well. Save the design as a file."

@@ -156,6 +156,10 @@ impl Voice for Spanish {
         }
     }
 
+    fn link_from_query(&self) -> &'static str {
+        "El enlace venía detrás de «?» y no de «#», así que el diseño sí llegó al servidor de esta página. Ahora la dirección lo lleva detrás de «#», que no sale del navegador."
+    }
+
     fn too_long(&self, TooLong { found, limit }: TooLong) -> String {
         format!(
             "El enlace tendría {found} caracteres, y con más de {limit} no viaja bien. Guarde el diseño en un archivo."
