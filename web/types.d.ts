@@ -99,9 +99,9 @@ export interface Segment {
   [parameter: string]: number | FreeData | undefined;
 }
 
-/** The design file `levalab/1` as a plain object. */
+/** The design file as a plain object; its version is that of the last read, and counts for nothing here. */
 export interface Design {
-  format: "levalab/1";
+  format: "levalab/1" | "levalab/2";
   title: string;
   length_unit: string;
   speed: { value: number; unit: string };

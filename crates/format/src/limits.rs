@@ -20,6 +20,12 @@ pub const MAX_LINK_OPENED: usize = 8192;
 /// Longest link that is made, characters: what chat programs, mail readers and QR codes still carry whole.
 pub const MAX_LINK_MADE: usize = 2000;
 
+/// Most points of a table in a file or a link of version 1.
+pub const MAX_TABLE_POINTS_OF_VERSION_1: usize = 128;
+
+/// Most points of all tables of a design that needs version 2: two of the largest tables, computed within a frame or two.
+pub const MAX_DESIGN_POINTS: usize = 2048;
+
 /// Sizes (radii, arms, distances), in the unit of the design: from a nanometre in mm to a kilometre, beyond any cam, and
 /// with room for the cubes and fifth powers of the formulas in an `f64`.
 pub const SIZE: RangeInclusive<f64> = 1e-6..=1e6;
