@@ -20,6 +20,12 @@ pub const MAX_LINK_OPENED: usize = 8192;
 /// Longest link that is made, characters: what chat programs, mail readers and QR codes still carry whole.
 pub const MAX_LINK_MADE: usize = 2000;
 
+/// Most bytes that the section of tables of a link unpacks to.
+pub const MAX_INFLATED: usize = 1 << 16;
+
+/// How many bytes one packed byte of a link may unpack to: no more than tables come to, so that no link can exhaust the memory.
+pub const MAX_INFLATION: usize = 100;
+
 /// Most points of a table in a file or a link of version 1.
 pub const MAX_TABLE_POINTS_OF_VERSION_1: usize = 128;
 

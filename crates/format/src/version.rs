@@ -2,7 +2,7 @@
 //! version 1 does not know are asked for.
 
 use crate::limits::{MAX_DESIGN_POINTS, MAX_TABLE_POINTS_OF_VERSION_1};
-use crate::{Design, DesignError, ProgramRefusal};
+use crate::{DataRefusal, Design, DesignError, Path, ProgramRefusal, SegmentDesign};
 use levalab_core::law::{Data, MAX_POINTS};
 use levalab_core::{FollowerKind, Law};
 
@@ -72,6 +72,16 @@ impl Design {
     pub fn version(&self) -> Version {
         let of_segments = self.segments.iter().map(|segment| of_law(segment.law).max(of_data(&segment.data)));
         of_segments.fold(of_follower(self.follower), Version::max)
+    }
+
+    /// Refuses tables that are longer than those of a version.
+    pub(crate) fn check_tables(&self, version: Version) -> Result<(), DesignError> {
+        let max = version.max_table_points();
+        let long = |segment: &SegmentDesign| points_of(&segment.data) > max;
+        let Some(k) = self.segments.iter().position(long) else { return Ok(()) };
+        let found = points_of(&self.segments[k].data);
+        let place = Path::from("segments").join(k).join("points");
+        Err(DesignError::at(place, DataRefusal::WrongCount { found, min: 2, max }))
     }
 
     /// Refuses more points than a design may have. Designs of version 1 are bounded by their segments and tables alone.

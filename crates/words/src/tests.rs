@@ -149,7 +149,8 @@ fn links() -> Vec<LinkError> {
         LinkError::TooLong(TooLong { found: 9000, limit: 8192 }),
         LinkError::Character { found: '%', position: 3 },
         LinkError::Damaged,
-        LinkError::Version { found: "2".to_owned() },
+        LinkError::Version { found: "3".to_owned() },
+        LinkError::Newer { found: "x".to_owned() },
         LinkError::Unreadable,
         LinkError::Design(DesignError {
             path: Path::from("segments"),

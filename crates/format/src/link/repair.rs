@@ -248,15 +248,20 @@ mod tests {
         let mut random = Random::new(14);
         let mut links = vec![(LINK.to_owned(), decode(LINK).expect("published"))];
         while links.len() < 50 {
-            let design = testing::design(&mut random);
+            let make = if links.len() % 4 == 0 { testing::long_design } else { testing::design };
+            let design = make(&mut random);
             let Ok(link) = encode(&design) else { continue };
             links.push((link, design));
         }
         for (link, design) in &links {
             let ways = manglings(link);
             assert!(ways.len() >= 200, "{}", ways.len());
-            for mangled in ways {
-                for address in [mangled.clone(), format!("https://example.org/cams/#{mangled}")] {
+            for (k, mangled) in ways.into_iter().enumerate() {
+                let address = if k % 2 == 0 { mangled } else { format!("https://example.org/cams/#{mangled}") };
+                let (part, _) = find(address.trim());
+                assert_eq!(repaired(part).as_ref(), Some(link), "{address}");
+                // To open a link is to compute its cam, so only some are.
+                if k % 16 == 0 {
                     let opened = open(&address).unwrap_or_else(|error| panic!("{address}: {error:?}"));
                     assert_eq!((&opened.link, &opened.design), (link, design), "{address}");
                 }

@@ -138,6 +138,12 @@ impl Voice for English {
             LinkError::Version { found } => {
                 format!("The link is of version {}, which is newer than this program.", quoted(found))
             }
+            LinkError::Newer { found } => {
+                format!(
+                    "The link was made by a newer version of LevaLab: its part {} is not known here.",
+                    quoted(found)
+                )
+            }
             LinkError::Unreadable => "The link is whole, but it is not a design that this program can read.".to_owned(),
             LinkError::Design(error) => self.problem(&error.problem),
         }

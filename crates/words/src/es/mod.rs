@@ -149,6 +149,12 @@ impl Voice for Spanish {
             LinkError::Version { found } => {
                 format!("El enlace es de la versión {}, más nueva que este programa.", quoted(found))
             }
+            LinkError::Newer { found } => {
+                format!(
+                    "El enlace se hizo con una versión más nueva de LevaLab: aquí no se conoce su parte {}.",
+                    quoted(found)
+                )
+            }
             LinkError::Unreadable => {
                 "El enlace está entero, pero no es un diseño que este programa sepa leer.".to_owned()
             }
