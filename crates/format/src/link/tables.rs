@@ -210,6 +210,13 @@ mod tests {
     }
 
     #[test]
+    fn the_example_of_the_documentation_is_written_so() {
+        let squares = Data::Points((0..20).map(f64::from).map(|k| [k, k * k]).collect());
+        let bytes = [vec![0x14], vec![0, 0, 2], vec![0; 18], vec![0x20, 0, 2, 2], vec![0; 17]].concat();
+        assert_eq!(bytes_of(std::iter::once(&squares)), bytes);
+    }
+
+    #[test]
     fn tables_come_back_exactly() {
         let mut random = Random::new(7);
         for _ in 0..100 {

@@ -186,6 +186,17 @@ fn a_table_of_361_points_is_shared_by_a_link_that_a_qr_code_carries() {
 }
 
 #[test]
+fn the_links_of_the_documentation_are_published_ones() {
+    let published = include_str!("../../tests/published-links.txt");
+    let text = include_str!("../../../../docs/design-format.md");
+    let links: Vec<&str> = text.lines().filter(|line| line.starts_with("1.") || line.starts_with("2.")).collect();
+    assert_eq!(links.iter().map(|link| &link[..2]).collect::<Vec<_>>(), ["1.", "2."]);
+    for link in links {
+        assert!(published.lines().any(|line| line.ends_with(&format!(" {link}"))), "{link}");
+    }
+}
+
+#[test]
 fn version_1_is_written_whenever_it_can_say_the_design() {
     let design = tabled(degree_by_degree(0.0).into_iter().step_by(10).collect());
     let link = encode(&design).expect("short");
