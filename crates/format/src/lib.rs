@@ -40,6 +40,7 @@ pub mod limits;
 pub mod link;
 mod marks;
 mod measure;
+pub mod measured;
 mod notation;
 mod pair;
 mod path;

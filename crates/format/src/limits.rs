@@ -29,6 +29,9 @@ pub const MAX_INFLATION: usize = 100;
 /// Most points of a table in a file or a link of version 1.
 pub const MAX_TABLE_POINTS_OF_VERSION_1: usize = 128;
 
+/// Most points of measured data that are read, to be reduced to those of a table.
+pub const MAX_MEASURED_POINTS: usize = 8192;
+
 /// Most points of all tables of a design that needs version 2: two of the largest tables, computed within a frame or two.
 pub const MAX_DESIGN_POINTS: usize = 2048;
 
