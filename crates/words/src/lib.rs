@@ -22,6 +22,7 @@ mod application;
 mod en;
 mod es;
 mod join;
+mod measured;
 mod notation;
 mod numbers;
 mod pair;
@@ -30,6 +31,7 @@ mod units;
 mod voice;
 
 pub use application::{application_head, application_name, application_title, outcome};
+pub use measured::{measured_note, measured_problem};
 pub use notation::{SIGNS, Signs};
 pub use numbers::notation;
 pub use pair::no_second;

@@ -5,6 +5,7 @@ use levalab_core::{
     Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, Instead, LAWS, Level,
     Misfit, RoughnessCause,
 };
+use levalab_format::measured::{Curve, MeasuredProblem};
 use levalab_format::{
     CamKind, CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Price, Problem, ProgramRefusal, cures, example,
 };
@@ -229,6 +230,21 @@ fn sentences_are_one_line_each() {
         }
         check(language, &too_long(language, TooLong { found: 2001, limit: 2000 }));
         check(language, link_from_query(language));
+        for problem in [
+            MeasuredProblem::TooLarge { limit: 1 << 20 },
+            MeasuredProblem::NotNumbers { line: 2 },
+            MeasuredProblem::NoValue { line: 2, column: 3 },
+            MeasuredProblem::Unordered { line: 4, found: 12.25, before: 60.5 },
+            MeasuredProblem::TooManyPoints { found: 8193, limit: 8192 },
+            MeasuredProblem::TooFewPoints { found: 1 },
+            MeasuredProblem::Columns,
+        ] {
+            check(language, &measured_problem(language, &problem));
+        }
+        let curve = Curve { points: Vec::new(), first: 12.25, is_completed: true, is_in_radians: true };
+        check(language, &measured_note(language, &curve));
+        let untouched = Curve { first: 0.0, is_completed: false, is_in_radians: false, ..curve };
+        assert_eq!(measured_note(language, &untouched), "");
     }
 }
 
