@@ -10,8 +10,8 @@ import { h, symbol, write } from "./dom.js";
 import { setBeta } from "./free-data.js";
 import { assemble } from "./free-parts.js";
 import { marksOf } from "./marks.js";
+import { createMeasured } from "./measured.js";
 import { fieldText, parseNumber } from "./numbers.js";
-import { pastedPoints } from "./pasted.js";
 import { createTextField } from "./text-field.js";
 
 /** @typedef {{ id: string, index: () => number }} Place */
@@ -46,18 +46,8 @@ export const KNOTS = {
   read: numbersIn,
 };
 
-/** @type {Kind} */
-const TABLE = {
-  key: "points",
-  long: true,
-  write: ({ points }, language) => (points ?? []).map((point) => point.map((value) => fieldText(value, language)).join("\t")).join("\n"),
-  read(text, t) {
-    const { points, line } = pastedPoints(text);
-    if (!points) return { problem: t("table.unreadable", { line }) };
-    const first = points[0]?.[0] ?? 0;
-    return { data: points.map(([at, s]) => [clean(at - first), s]) };
-  },
-};
+/** @param {import("./types.d.ts").Segment["points"]} points @param {"en" | "es"} language */
+const tabled = (points, language) => (points ?? []).map((point) => point.map((value) => fieldText(value, language)).join("\t")).join("\n");
 
 /**
  * @param {number[] | undefined} numbers
@@ -96,14 +86,31 @@ export const createOrdinatesField = ofOneField(ORDINATES);
 export function createTableField(context, place) {
   const { store, t, format } = context;
   const { index } = place;
-  const field = createTextField(context, place, TABLE);
+  const measured = createMeasured(context, place, () => {
+    field.reset();
+    field.input.focus();
+  });
+  /** @type {Kind} */
+  const table = {
+    key: "points",
+    long: true,
+    write: ({ points }, language) => tabled(points, language),
+    read(text, t, event) {
+      const { points, is_plain: plain, error } = measured.read(text, /Paste|Drop/.test(event.inputType));
+      if (error) return { problem: error.message };
+      return plain ? { data: points } : { problem: t("measured.choose") };
+    },
+  };
+  const field = createTextField(context, place, table);
   const span = h("button", { type: "button", class: "quiet", hidden: true });
   const summary = h("summary");
   const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, symbol("θ")), h("th", { scope: "col" }, symbol("s")), h("th", { scope: "col" })));
   const body = h("tbody");
   const scroll = h("div", { class: "residuals", tabindex: "0", role: "region" }, h("table", {}, head, body));
   const residuals = h("details", { hidden: true }, summary, scroll);
-  field.root.append(span, residuals);
+  field.root.append(measured.panel, span, ...measured.opener, residuals);
+  /** The table as it was when measured data were opened. */
+  let before = "";
 
   span.addEventListener("click", () => {
     store.edit(t("edit.points"), (draft) => {
@@ -116,8 +123,12 @@ export function createTableField(context, place) {
   });
 
   /** @param {Readonly<State>} state */
-  function follow({ design }) {
+  function follow({ design, language }) {
     const segment = design.segments[index()];
+    const now = measured.isOpen() ? tabled(segment?.points, language) : "";
+    // Another table, as after undo: the question is no more.
+    if (before !== "" && now !== before) measured.close();
+    before = measured.isOpen() ? now : "";
     const last = segment?.points?.at(-1)?.[0];
     span.hidden = last === undefined || last <= 0 || last === segment?.beta || !field.readable();
     if (last !== undefined) write(span, t("table.span", { angle: format.number(last, { unit: "°" }) }));
@@ -143,5 +154,5 @@ export function createTableField(context, place) {
     });
   }
 
-  return assemble(context, { root: field.root, fields: () => [field], word: () => undefined, follow, paths: field.paths });
+  return assemble(context, { root: field.root, fields: () => [field], word: measured.speak, follow, paths: field.paths });
 }

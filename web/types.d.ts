@@ -349,6 +349,37 @@ export interface OpenedLink {
   error?: DesignError;
 }
 
+/** Pairs of numbers of a text, or the line, from 1, that is none. */
+export type Pairs = { points: Point[]; line?: undefined } | { line: number; points?: undefined };
+
+/** What is asked of measured data: columns, and a number of points or a residual; `pasted` for a text that was not typed. */
+export interface MeasuredOrder {
+  angle?: number;
+  lift?: number;
+  count?: number | undefined;
+  within?: number | undefined;
+  pasted?: boolean;
+}
+
+/** What a text of measured data holds, and what is taken of it. */
+export interface Measured {
+  /** Columns of numbers. */
+  columns: { index: number; heading: string; unit: string; sample: number[] }[];
+  angle: number;
+  lift: number;
+  /** Points of the whole curve, and the most that may be taken. */
+  all: number;
+  most: number;
+  /** Whether the whole curve is taken without a question. */
+  is_plain: boolean;
+  points: Point[];
+  /** The largest of curve − point, and where. */
+  residual: number;
+  at: number;
+  note: string;
+  error?: DesignError;
+}
+
 export type Read = { design: Design; error?: undefined } | { error: DesignError; design?: undefined };
 
 /** A file that is wanted of the module for exports; lengths in the unit of the design. */

@@ -3,7 +3,7 @@
 use levalab_core::law::MAX_POINTS;
 use levalab_edge::{Failure, language, object};
 use levalab_format::Design;
-use levalab_format::limits::MAX_TABLE_POINTS_OF_VERSION_1;
+use levalab_format::limits::{MAX_MEASURED_POINTS, MAX_TABLE_POINTS_OF_VERSION_1};
 use levalab_format::measured::{Curve, Ends, Measured, MeasuredProblem, Reduced, measured_ends, reduce};
 use levalab_words::{Language, measured_note, measured_problem};
 use serde::Serialize;
@@ -89,6 +89,28 @@ pub fn measured(
     object(&answer(bytes, &Order::of(&levalab_edge::value(order)), ends, language(words)))
 }
 
+/// Pairs of numbers of a text in any order, or the line that is none.
+#[derive(Serialize)]
+#[serde(rename_all = "snake_case")]
+enum Pairs {
+    Points(Vec<[f64; 2]>),
+    Line(usize),
+}
+
+/// The pairs of numbers of a text, a line for each.
+///
+/// # Errors
+/// Never: a line that cannot be read is an answer.
+#[wasm_bindgen(unchecked_return_type = "Pairs")]
+pub fn pairs(text: &str) -> Result<JsValue, JsError> {
+    object(&match Measured::read(text).and_then(|measured| measured.pairs()) {
+        Ok(points) => Pairs::Points(points),
+        Err(MeasuredProblem::NotNumbers { line } | MeasuredProblem::NoValue { line, .. }) => Pairs::Line(line),
+        // More of them than anything takes: beyond the last that is read.
+        Err(_) => Pairs::Line(MAX_MEASURED_POINTS + 1),
+    })
+}
+
 fn answer(bytes: &[u8], order: &Order, ends: Ends, language: Language) -> PageMeasured {
     let refused =
         |problem: &MeasuredProblem| Some(Failure { path: String::new(), message: measured_problem(language, problem) });
@@ -113,9 +135,10 @@ fn answer(bytes: &[u8], order: &Order, ends: Ends, language: Language) -> PageMe
         Ok(curve) => curve,
         Err(problem) => return PageMeasured { error: refused(&problem), ..page },
     };
-    let most = MAX_POINTS.min(curve.points.len());
     let unasked = if order.pasted { MAX_TABLE_POINTS_OF_VERSION_1 } else { MAX_POINTS };
     let is_plain = measured.is_plain() && curve.points.len() <= unasked;
+    let curve = if is_plain { curve } else { curve.completed() };
+    let most = MAX_POINTS.min(curve.points.len());
     let Reduced { points, residual, at } = if is_plain { whole(&curve) } else { reduced(&curve, ends, order, most) };
     PageMeasured {
         all: curve.points.len(),

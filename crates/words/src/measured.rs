@@ -16,10 +16,10 @@ pub fn measured_problem(language: Language, problem: &MeasuredProblem) -> String
             format!("El texto pasa de {} bytes: quite las líneas que no hagan falta.", exact(*limit))
         }
         (MeasuredProblem::NotNumbers { line }, Language::En) => {
-            format!("Line {line} has no angle and displacement: two numbers are needed, as in 12.5 and 3.25.")
+            format!("Line {line} is not two numbers, as in 12.5 and 3.25.")
         }
         (MeasuredProblem::NotNumbers { line }, Language::Es) => {
-            format!("La línea {line} no tiene ángulo y desplazamiento: hacen falta dos números, como 12,5 y 3,25.")
+            format!("En la línea {line} no hay dos números, como 12,5 y 3,25.")
         }
         (MeasuredProblem::NoValue { line, column }, Language::En) => {
             format!("Line {line} has no number in column {column}.")

@@ -45,6 +45,14 @@ struct Row {
     values: Vec<Option<f64>>,
 }
 
+impl Row {
+    /// The number in a column.
+    fn value(&self, column: usize) -> Result<f64, MeasuredProblem> {
+        let missing = MeasuredProblem::NoValue { line: self.line, column: column + 1 };
+        self.values.get(column).copied().flatten().ok_or(missing)
+    }
+}
+
 /// What is wrong with measured data.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MeasuredProblem {
@@ -171,11 +179,13 @@ fn usual_shape(lines: &[(usize, Line)]) -> Option<(Vec<bool>, usize)> {
     Some((usual.0, usual.2))
 }
 
-/// The lines of numbers from the first on. A line without any digit is passed over wherever it is.
+/// The lines of numbers from the first on. A line without any digit is passed over wherever it is; one with more numbers than there are
+/// columns is refused, since a space may stand there for a decimal sign.
 fn rows_from(lines: &[(usize, Line)], columns: usize) -> Result<Vec<Row>, MeasuredProblem> {
     let mut rows = Vec::with_capacity(lines.len());
     for (line, content) in lines {
-        if content.numbers() >= 2 {
+        let surplus = content.cells.iter().skip(columns).any(|cell| cell.value.is_some());
+        if content.numbers() >= 2 && !surplus {
             let values = content.cells.iter().map(|cell| cell.value).chain(std::iter::repeat(None)).take(columns);
             rows.push(Row { line: *line, values: values.collect() });
         } else if content.has_digit() {

@@ -1,7 +1,7 @@
 //! From columns to the points of a curve: which column is the angle, in what it is measured, and where the curve closes.
 
 use super::reduce::Ends;
-use super::{Measured, MeasuredProblem};
+use super::{Measured, MeasuredProblem, Row};
 use crate::Design;
 use crate::report::tidy;
 use levalab_core::{Cycle, Svaj};
@@ -24,6 +24,9 @@ const TURN: f64 = 360.0;
 
 /// A gap before the end of a turn counts as one step when it is no more than so many of the largest steps.
 const ONE_STEP: f64 = 1.5;
+
+/// Points in larger steps, degrees, are no turn that lacks its end but a part of one.
+const LARGEST_STEP: f64 = 15.0;
 
 /// How far the span of a column may be from a turn and still be taken for one, as a part of it.
 const NEARLY_A_TURN: f64 = 0.02;
@@ -66,11 +69,7 @@ impl Measured {
         let is_in_radians = self.is_in_radians(angle);
         let last = self.len().saturating_sub(1);
         for (k, row) in self.rows.iter().enumerate() {
-            let value = |column: usize| {
-                let missing = MeasuredProblem::NoValue { line: row.line, column: column + 1 };
-                row.values.get(column).copied().flatten().ok_or(missing)
-            };
-            let (found, s) = (value(angle)?, value(lift)?);
+            let (found, s) = (row.value(angle)?, row.value(lift)?);
             let mut at = if is_in_radians { tidy(found.to_degrees()) } else { found };
             if let (Some(first), Some(before)) = (points.first(), points.last()) {
                 // The end of a turn is often written as its beginning.
@@ -90,8 +89,18 @@ impl Measured {
         for point in &mut points {
             point[0] = tidy(point[0] - first);
         }
-        let is_completed = complete(&mut points);
-        Ok(Curve { points, first, is_completed, is_in_radians })
+        Ok(Curve { points, first, is_completed: false, is_in_radians })
+    }
+
+    /// The first two columns of numbers as they stand, in any order.
+    ///
+    /// # Errors
+    /// Names the line that lacks one of them.
+    pub fn pairs(&self) -> Result<Vec<[f64; 2]>, MeasuredProblem> {
+        let mut numbers = (0..self.columns.len()).filter(|&k| self.columns[k].is_number);
+        let (Some(first), Some(second)) = (numbers.next(), numbers.next()) else { return Ok(Vec::new()) };
+        let pair = |row: &Row| row.value(first).and_then(|one| Ok([one, row.value(second)?]));
+        self.rows.iter().map(pair).collect()
     }
 
     fn is_in_radians(&self, angle: usize) -> bool {
@@ -132,16 +141,19 @@ impl Measured {
     }
 }
 
-/// Adds the end of a turn that stops one step before it. True when it did.
-fn complete(points: &mut Vec<[f64; 2]>) -> bool {
-    let (Some(&[_, start]), Some(&[end, _])) = (points.first(), points.last()) else { return false };
-    let step = points.windows(2).map(|pair| pair[1][0] - pair[0][0]).fold(0.0, f64::max);
-    let gap = TURN - end;
-    let is_a_step = gap > 0.0 && gap <= ONE_STEP * step && step < 0.25 * TURN;
-    if is_a_step {
-        points.push([TURN, start]);
+impl Curve {
+    /// The curve with the end of its turn, when the points stop one step before it.
+    #[must_use]
+    pub fn completed(mut self) -> Self {
+        let (Some(&[_, start]), Some(&[end, _])) = (self.points.first(), self.points.last()) else { return self };
+        let step = self.points.windows(2).map(|pair| pair[1][0] - pair[0][0]).fold(0.0, f64::max);
+        let gap = TURN - end;
+        if gap > 0.0 && gap <= ONE_STEP * step && step <= LARGEST_STEP {
+            self.points.push([TURN, start]);
+            self.is_completed = true;
+        }
+        self
     }
-    is_a_step
 }
 
 /// What a table of a design is joined to at the ends of a segment, in the units of the design; the table itself may be any.

@@ -104,6 +104,7 @@ fn what_cannot_be_read_is_named_by_its_line() {
         refusal("a;b\n0;0\n60;5\n60;5\n360;0"),
         MeasuredProblem::Unordered { line: 4, found: 60.0, before: 60.0 }
     );
+    assert_eq!(refusal("0 0\n90 5 5\n180 10"), MeasuredProblem::NotNumbers { line: 2 }, "5.5 may be meant");
     assert_eq!(refusal("0 0"), MeasuredProblem::TooFewPoints { found: 1 });
     assert!(measured(" \n").is_empty());
     let many: String = (0..=MAX_MEASURED_POINTS).map(|k| format!("{k} 0\n")).collect();
@@ -115,15 +116,26 @@ fn what_cannot_be_read_is_named_by_its_line() {
 }
 
 #[test]
+fn pairs_stand_in_any_order() {
+    assert_eq!(measured("at\tforce\n50\t25\n20,5\t24,5").pairs(), Ok(vec![[50.0, 25.0], [20.5, 24.5]]));
+    assert_eq!(measured("50 25").pairs(), Ok(vec![[50.0, 25.0]]));
+    assert_eq!(measured("").pairs(), Ok(Vec::new()));
+    assert_eq!(Measured::read("50\t25\n70,5\tx").err(), Some(MeasuredProblem::NotNumbers { line: 2 }));
+}
+
+#[test]
 fn the_end_of_a_turn_is_its_beginning() {
     let without: String = (0..360).map(|k| format!("{k} {}\n", k % 7)).collect();
-    let completed = curve(&without);
+    let whole = curve(&without);
+    assert_eq!((whole.points.len(), whole.is_completed), (360, false), "only when asked for");
+    let completed = whole.completed();
     assert_eq!((completed.points.len(), completed.is_completed), (361, true));
     assert_eq!(completed.points[360], [360.0, 0.0]);
     let wrapped = curve(&format!("{without}0 0\n"));
     assert_eq!((wrapped.points, wrapped.is_completed), (completed.points, false));
-    let part = curve("0 0\n10 1\n20 2\n180 3");
-    assert!(!part.is_completed && part.points.len() == 4, "a part of a turn stays one");
+    for part in ["0 0\n10 1\n20 2\n180 3", "0 0\n60 1\n120 2\n180 3\n240 2\n300 1"] {
+        assert_eq!(curve(part).completed(), curve(part), "a part of a turn stays one");
+    }
 }
 
 #[test]
