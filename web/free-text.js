@@ -96,9 +96,8 @@ export function createTableField(context, place) {
     long: true,
     write: ({ points }, language) => tabled(points, language),
     read(text, t, event) {
-      const { points, is_plain: plain, error } = measured.read(text, /Paste|Drop/.test(event.inputType));
-      if (error) return { problem: error.message };
-      return plain ? { data: points } : { problem: t("measured.choose") };
+      const { points, error } = measured.read(text, /Paste|Drop/.test(event.inputType), field.input);
+      return points ? { data: points } : { problem: error?.message ?? t("measured.choose") };
     },
   };
   const field = createTextField(context, place, table);

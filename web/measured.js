@@ -2,9 +2,11 @@
  * Measured data that are more than a table: which columns, how many points, and how far the table's curve then is from what was measured.
  *
  * @import { Measured, MeasuredOrder, Segment, ShellContext } from "./types.d.ts"
+ * @import { Workshop } from "./workshop.js"
  */
 import { h, hide, write } from "./dom.js";
 import { fieldText, parseNumber } from "./numbers.js";
+import { demand } from "./on-demand.js";
 
 /** Kinds of file that cam editors and test stands write. */
 const FILES = ".csv,.txt,.tsv,.dat,.asc,.prn,text/plain,text/csv";
@@ -17,7 +19,10 @@ const LARGEST = 2 ** 20 + 1;
  * @param {{ id: string, index: () => number }} place
  * @param {() => void} left  after the data were taken or not
  */
-export function createMeasured({ store, module, t, format, announce }, { id, index }, left) {
+export function createMeasured(context, { id, index }, left) {
+  const { store, module, workshop, t, format, announce } = context;
+  /** The module that reduces, once it has arrived. @type {Workshop | null} */
+  let reducer = null;
   /** @type {Uint8Array | null} */
   let bytes = null;
   /** @type {MeasuredOrder} */
@@ -57,13 +62,10 @@ export function createMeasured({ store, module, t, format, announce }, { id, ind
   const chooser = h("input", { type: "file", accept: FILES, class: "unseen", tabindex: "-1", "aria-hidden": "true" });
   const open = h("button", { type: "button", class: "quiet" });
 
-  /** @param {Uint8Array} text @param {MeasuredOrder} asked */
-  const ask = (text, asked) => module().measured(text, asked, store.lastGood(), index(), store.state.language);
-
   /** Asks again and shows what comes of it; the field that somebody is in keeps its text. */
   function refresh() {
-    if (!bytes) return;
-    found = ask(bytes, order);
+    if (!bytes || !reducer) return;
+    found = reducer.measured(bytes, order, store.lastGood(), index(), store.state.language);
     const { columns, error: refused, points, all, residual, at } = found;
     for (const [select, chosen] of /** @type {const} */ ([[angle, found.angle], [lift, found.lift]])) {
       select.replaceChildren(...columns.map(({ index: column }) => h("option", { value: column }, nameOf(column))));
@@ -144,16 +146,25 @@ export function createMeasured({ store, module, t, format, announce }, { id, ind
     chooser.value = "";
     const buffer = await file?.slice(0, LARGEST).arrayBuffer().catch(() => null);
     if (!buffer) return;
-    show(new Uint8Array(buffer), {});
+    await show(new Uint8Array(buffer), open);
     count.focus();
   });
 
-  /** @param {Uint8Array} text @param {MeasuredOrder} asked */
-  function show(text, asked) {
+  /**
+   * Asks about a text; what reduces it is loaded first.
+   * @param {Uint8Array} text
+   * @param {HTMLElement} from
+   */
+  function show(text, from) {
     bytes = text;
-    order = asked;
-    panel.hidden = false;
-    refresh();
+    order = {};
+    return demand(context, from, workshop, (module) => {
+      // Another text may have come meanwhile.
+      if (bytes !== text) return;
+      reducer = module;
+      panel.hidden = false;
+      refresh();
+    });
   }
 
   return {
@@ -162,17 +173,15 @@ export function createMeasured({ store, module, t, format, announce }, { id, ind
     opener: [chooser, open],
 
     /**
-     * What a text is taken for at once; otherwise the panel asks.
+     * What a text is taken for at once; the panel asks about the rest.
      * @param {string} text
      * @param {boolean} pasted
-     * @returns {Measured}
+     * @param {HTMLElement} from
      */
-    read(text, pasted) {
+    read(text, pasted, from) {
       close();
-      const written = new TextEncoder().encode(text);
-      const asked = { pasted };
-      const answer = ask(written, asked);
-      if (!answer.error && !answer.is_plain) show(written, asked);
+      const answer = module().read_table(text, pasted, store.state.language);
+      if (answer.measured !== undefined) void show(new TextEncoder().encode(text), from);
       return answer;
     },
 

@@ -352,13 +352,15 @@ export interface OpenedLink {
 /** Pairs of numbers of a text, or the line, from 1, that is none. */
 export type Pairs = { points: Point[]; line?: undefined } | { line: number; points?: undefined };
 
-/** What is asked of measured data: columns, and a number of points or a residual; `pasted` for a text that was not typed. */
+/** What the text of a table says: its points, or how many lines of measured data it has, of which columns and points are to be chosen. */
+export type TableText = { points: Point[]; measured?: undefined; error?: undefined } | { measured: number; points?: undefined; error?: undefined } | { error: DesignError; points?: undefined; measured?: undefined };
+
+/** What is asked of measured data: columns, and a number of points or a residual. */
 export interface MeasuredOrder {
   angle?: number;
   lift?: number;
   count?: number | undefined;
   within?: number | undefined;
-  pasted?: boolean;
 }
 
 /** What a text of measured data holds, and what is taken of it. */
@@ -370,8 +372,6 @@ export interface Measured {
   /** Points of the whole curve, and the most that may be taken. */
   all: number;
   most: number;
-  /** Whether the whole curve is taken without a question. */
-  is_plain: boolean;
   points: Point[];
   /** The largest of curve − point, and where. */
   residual: number;

@@ -36,7 +36,10 @@ impl Version {
 
     /// The first field of a link of this version.
     pub(crate) fn number(self) -> &'static str {
-        self.format().trim_start_matches(FORMAT)
+        match self {
+            Self::One => "1",
+            Self::Two => "2",
+        }
     }
 
     /// The most points that a table may have in a design of this version.

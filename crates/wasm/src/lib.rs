@@ -11,9 +11,9 @@ mod diagrams;
 mod instant;
 mod lab;
 mod marks;
-mod measured;
 mod mechanism;
 mod pair;
+mod pasted;
 mod report;
 mod sheet;
 
@@ -29,7 +29,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Measured, MeasuredOrder, Opened, OpenedLink, Pairs, PlotArea, Read, Room, TieKey } from "../types.d.ts";
+import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, OpenedLink, Pairs, PlotArea, Read, Room, TableText, TieKey } from "../types.d.ts";
 "#;
 
 /// The room for a second cam tied in one way: a good value, and between which values it has its place (no greatest for a distance).

@@ -56,15 +56,20 @@ fn find(text: &str) -> (&str, bool) {
     if has_version(&cleaned(text)) && !text.starts_with('?') {
         return (text, false);
     }
-    let is_address = text.contains("://");
-    let hash = if is_address && !text.contains('#') { "%23" } else { "#" };
-    match (text.split_once(hash), text.split_once('?')) {
+    let is_address = text.split_once(':').is_some_and(|(_, rest)| rest.starts_with("//"));
+    match (text.split_once('#').or_else(|| encoded_fragment(text)), text.split_once('?')) {
         (Some((_, fragment)), _) if !fragment.is_empty() => (fragment, false),
         // Other queries are none of the page's business.
         (_, Some((_, query))) => (if has_version(&cleaned(query)) { query } else { "" }, true),
         (Some(_), None) => ("", false),
         (None, None) => (if is_address { "" } else { text }, false),
     }
+}
+
+/// Address and fragment, when the `#` between them is encoded.
+fn encoded_fragment(text: &str) -> Option<(&str, &str)> {
+    let at = text.bytes().enumerate().find(|&(at, _)| text.as_bytes()[at..].starts_with(b"%23"))?.0;
+    Some((&text[..at], &text[at + 3..]))
 }
 
 /// True when a text begins as links of every version do.

@@ -16,9 +16,6 @@ pub(super) struct Cell {
     pub value: Option<f64>,
 }
 
-/// What begins a comment anywhere in a line.
-const COMMENTS: [&str; 2] = ["//", "#"];
-
 /// What makes the whole line a comment where it begins one.
 const LINE_COMMENTS: [char; 3] = ['%', '!', '*'];
 
@@ -42,7 +39,7 @@ impl Line {
 /// The cells of a line.
 pub(super) fn line_of(line: &str) -> Line {
     let whole = line.trim();
-    let end = COMMENTS.iter().filter_map(|sign| whole.find(sign)).min().unwrap_or(whole.len());
+    let end = comment_in(whole).unwrap_or(whole.len());
     let text = if whole.starts_with(LINE_COMMENTS) { "" } else { whole[..end].trim() };
     let comment = if text.is_empty() {
         whole.trim_start_matches(['#', '/', '%', '!', '*', ' ']).to_owned()
@@ -51,6 +48,12 @@ pub(super) fn line_of(line: &str) -> Line {
     };
     let cells = cells_of(text).into_iter().map(|text| Cell { value: number(&text), text }).collect();
     Line { cells, comment }
+}
+
+/// Where a comment begins in a line: `#` or `//`.
+fn comment_in(line: &str) -> Option<usize> {
+    let bytes = line.as_bytes();
+    (0..bytes.len()).find(|&at| bytes[at] == b'#' || bytes[at..].starts_with(b"//"))
 }
 
 /// The cells of a line of words that may be headings; none when there are not as many as columns.
@@ -67,7 +70,7 @@ pub(super) fn heading_cells(line: &Line, columns: usize) -> Vec<String> {
 
 /// True for the name of a unit, in brackets or without.
 pub(super) fn is_unit(cell: &str) -> bool {
-    UNITS.contains(&bare_unit(cell).to_lowercase().as_str())
+    UNITS.contains(&bare_unit(cell).to_ascii_lowercase().as_str())
 }
 
 /// A unit without its brackets.

@@ -35,8 +35,8 @@ const NEARLY_A_TURN: f64 = 0.02;
 const MOSTLY: usize = 4;
 
 /// Beginnings of headings of a column of angles, in small letters.
-const ANGLE_HEADINGS: [&str; 13] =
-    ["angle", "theta", "θ", "áng", "ang", "crank", "cam a", "phi", "φ", "rot", "master", "winkel", "grado"];
+const ANGLE_HEADINGS: [&str; 14] =
+    ["angle", "theta", "θ", "áng", "Áng", "ang", "crank", "cam a", "phi", "φ", "rot", "master", "winkel", "grado"];
 
 /// Beginnings of headings of a column of displacements, in small letters.
 const LIFT_HEADINGS: [&str; 10] = ["lift", "displ", "desp", "elev", "alz", "stroke", "carrera", "slave", "hub", "rise"];
@@ -109,7 +109,7 @@ impl Measured {
     }
 
     fn is_named_angle(&self, column: usize) -> bool {
-        let heading = self.columns[column].heading.to_lowercase();
+        let heading = self.columns[column].heading.to_ascii_lowercase();
         ANGLE_HEADINGS.iter().any(|beginning| heading.starts_with(beginning)) || self.is_in_radians(column)
     }
 
@@ -127,7 +127,7 @@ impl Measured {
     }
 
     fn lift_score(&self, column: usize) -> i32 {
-        let heading = self.columns[column].heading.to_lowercase();
+        let heading = self.columns[column].heading.to_ascii_lowercase();
         let named =
             heading == "s" || heading == "h" || LIFT_HEADINGS.iter().any(|beginning| heading.starts_with(beginning));
         let first = self.sample(column).next();

@@ -3,7 +3,7 @@
 use levalab_core::law::MAX_POINTS;
 use levalab_edge::{Failure, language, object};
 use levalab_format::Design;
-use levalab_format::limits::{MAX_MEASURED_POINTS, MAX_TABLE_POINTS_OF_VERSION_1};
+use levalab_format::limits::MAX_TABLE_POINTS_OF_VERSION_1;
 use levalab_format::measured::{Curve, Ends, Measured, MeasuredProblem, Reduced, measured_ends, reduce};
 use levalab_words::{Language, measured_note, measured_problem};
 use serde::Serialize;
@@ -27,8 +27,6 @@ struct PageMeasured {
     all: usize,
     /// The most that may be taken.
     most: usize,
-    /// True when the whole curve can be taken without a question.
-    is_plain: bool,
     /// What is taken: the points of the table, how far its curve is from the points that were measured, and where.
     points: Vec<[f64; 2]>,
     residual: f64,
@@ -54,25 +52,18 @@ struct Order {
     /// So many points, or as many as a residual asks for.
     count: Option<usize>,
     within: Option<f64>,
-    /// True for a text that was pasted: a long one is not taken without a question.
-    pasted: bool,
 }
 
 impl Order {
     fn of(order: &Value) -> Self {
         let number = |key: &str| order.get(key).and_then(Value::as_f64);
         let whole = |key: &str| number(key).filter(|value| *value >= 0.0).map(|value| value as usize);
-        Self {
-            columns: [whole("angle"), whole("lift")],
-            count: whole("count"),
-            within: number("within"),
-            pasted: order.get("pasted").is_some_and(|value| *value == true),
-        }
+        Self { columns: [whole("angle"), whole("lift")], count: whole("count"), within: number("within") }
     }
 }
 
-/// Reads measured data for a segment of a design. The order may name columns (`angle`, `lift`), a number of points (`count`) or a
-/// residual (`within`), and say that the text was `pasted`.
+/// Reads measured data for a segment of a design. The order may name columns (`angle`, `lift`), and a number of points (`count`) or
+/// a residual (`within`).
 ///
 /// # Errors
 /// Never: what cannot be read is an answer.
@@ -89,28 +80,6 @@ pub fn measured(
     object(&answer(bytes, &Order::of(&levalab_edge::value(order)), ends, language(words)))
 }
 
-/// Pairs of numbers of a text in any order, or the line that is none.
-#[derive(Serialize)]
-#[serde(rename_all = "snake_case")]
-enum Pairs {
-    Points(Vec<[f64; 2]>),
-    Line(usize),
-}
-
-/// The pairs of numbers of a text, a line for each.
-///
-/// # Errors
-/// Never: a line that cannot be read is an answer.
-#[wasm_bindgen(unchecked_return_type = "Pairs")]
-pub fn pairs(text: &str) -> Result<JsValue, JsError> {
-    object(&match Measured::read(text).and_then(|measured| measured.pairs()) {
-        Ok(points) => Pairs::Points(points),
-        Err(MeasuredProblem::NotNumbers { line } | MeasuredProblem::NoValue { line, .. }) => Pairs::Line(line),
-        // More of them than anything takes: beyond the last that is read.
-        Err(_) => Pairs::Line(MAX_MEASURED_POINTS + 1),
-    })
-}
-
 fn answer(bytes: &[u8], order: &Order, ends: Ends, language: Language) -> PageMeasured {
     let refused =
         |problem: &MeasuredProblem| Some(Failure { path: String::new(), message: measured_problem(language, problem) });
@@ -119,7 +88,7 @@ fn answer(bytes: &[u8], order: &Order, ends: Ends, language: Language) -> PageMe
         Err(problem) => return PageMeasured { error: refused(&problem), ..PageMeasured::nothing() },
     };
     if measured.is_empty() {
-        return PageMeasured { is_plain: true, ..PageMeasured::nothing() };
+        return PageMeasured { error: refused(&MeasuredProblem::TooFewPoints { found: 0 }), ..PageMeasured::nothing() };
     }
     let guess = measured.guess();
     let [angle, lift] = [order.columns[0].unwrap_or(guess[0]), order.columns[1].unwrap_or(guess[1])];
@@ -135,34 +104,21 @@ fn answer(bytes: &[u8], order: &Order, ends: Ends, language: Language) -> PageMe
         Ok(curve) => curve,
         Err(problem) => return PageMeasured { error: refused(&problem), ..page },
     };
-    let unasked = if order.pasted { MAX_TABLE_POINTS_OF_VERSION_1 } else { MAX_POINTS };
-    let is_plain = measured.is_plain() && curve.points.len() <= unasked;
-    let curve = if is_plain { curve } else { curve.completed() };
+    let curve = curve.completed();
     let most = MAX_POINTS.min(curve.points.len());
-    let Reduced { points, residual, at } = if is_plain { whole(&curve) } else { reduced(&curve, ends, order, most) };
-    PageMeasured {
-        all: curve.points.len(),
-        most,
-        is_plain,
-        points,
-        residual,
-        at,
-        note: measured_note(language, &curve),
-        ..page
-    }
+    let Reduced { points, residual, at } = reduced(&curve, ends, order, most);
+    let (all, note) = (curve.points.len(), measured_note(language, &curve));
+    PageMeasured { all, most, points, residual, at, note, ..page }
 }
 
-fn whole(curve: &Curve) -> Reduced {
-    Reduced { points: curve.points.clone(), residual: 0.0, at: 0.0 }
-}
-
+/// The points asked for; of a short curve all unless asked for otherwise.
 fn reduced(curve: &Curve, ends: Ends, order: &Order, most: usize) -> Reduced {
     let heights = curve.points.iter().map(|point| point[1]);
     let lift = heights.clone().fold(f64::MIN, f64::max) - heights.fold(f64::MAX, f64::min);
-    match (order.count, order.within) {
-        (Some(count), _) => reduce(&curve.points, ends, count.min(most), 0.0),
-        (None, within) => reduce(&curve.points, ends, most, within.unwrap_or(USUAL_RESIDUAL * lift)),
-    }
+    let count = order.count.unwrap_or(most).min(most);
+    let is_short = most <= MAX_TABLE_POINTS_OF_VERSION_1;
+    let usual = if order.count.is_some() || is_short { 0.0 } else { USUAL_RESIDUAL * lift };
+    reduce(&curve.points, ends, count, order.within.unwrap_or(usual))
 }
 
 impl PageMeasured {
@@ -173,7 +129,6 @@ impl PageMeasured {
             lift: 0,
             all: 0,
             most: 0,
-            is_plain: false,
             points: Vec::new(),
             residual: 0.0,
             at: 0.0,
@@ -200,18 +155,12 @@ mod tests {
     }
 
     #[test]
-    fn a_short_table_is_taken_at_once_and_a_long_one_that_is_pasted_is_not() {
-        let pasted = serde_json::json!({ "pasted": true });
-        for (lines, order, plain) in
-            [(128, &pasted, true), (129, &pasted, false), (361, &Value::Null, true), (1025, &Value::Null, false)]
-        {
-            let page = page(&turn(lines), order);
-            assert_eq!((page.is_plain, page.all), (plain, lines as usize));
-            assert_eq!(page.points.len() == page.all, plain, "{lines} lines: {} points", page.points.len());
+    fn a_short_curve_is_offered_whole_and_a_long_one_reduced() {
+        for (lines, whole) in [(6, true), (128, true), (361, false), (2000, false)] {
+            let page = page(&turn(lines), &Value::Null);
+            assert_eq!((page.points.len() == page.all, page.all), (whole, lines as usize));
         }
-        assert!(!page("0 0 1\n60 5 2\n360 0 3", &pasted).is_plain, "three columns are a choice");
-        let empty = page(" \n", &pasted);
-        assert!(empty.is_plain && empty.points.is_empty() && empty.error.is_none());
+        assert!(page(" \n", &Value::Null).error.is_some());
     }
 
     #[test]
