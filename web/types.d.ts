@@ -343,7 +343,6 @@ export type Opened = { report: Report; error?: undefined } | { error: DesignErro
 /** What an address holds: nothing at all when there is no link in it. */
 export interface OpenedLink {
   design?: Design;
-  link?: string;
   /** What is to be said about how the link came. */
   note?: string;
   error?: DesignError;

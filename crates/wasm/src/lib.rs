@@ -47,14 +47,12 @@ enum Read {
     Error(Failure),
 }
 
-/// What an address holds: a design with its link and what is to be said about how it came, or why it does not open; nothing when
+/// What an address holds: a design and what is to be said about how it came, or why it does not open; nothing when
 /// there is no link in it.
 #[derive(Default, Serialize)]
 struct OpenedLink {
     #[serde(skip_serializing_if = "Option::is_none")]
     design: Option<Design>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    link: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -72,9 +70,8 @@ pub fn open_link(
 ) -> Result<JsValue, JsError> {
     let language = language(words);
     object(&match link::open(address) {
-        Ok(link::Opened { design, link, from_query }) => OpenedLink {
+        Ok(link::Opened { design, from_query, .. }) => OpenedLink {
             design: Some(design),
-            link: Some(link),
             note: from_query.then(|| levalab_words::link_from_query(language)),
             error: None,
         },

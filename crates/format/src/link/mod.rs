@@ -101,17 +101,18 @@ pub fn decode(text: &str) -> Result<Design, LinkError> {
     if text.len() > MAX_LINK_OPENED {
         return Err(LinkError::TooLong(TooLong { found: text.chars().count(), limit: MAX_LINK_OPENED }));
     }
+    // Version and checksum come first: a later version may have other characters.
+    let sealed = text.rsplit_once('.').filter(|(covered, sum)| *sum == checksum(covered));
+    let fields = sealed.map(|(covered, _)| covered.split_once('.').unwrap_or((covered, "")));
+    let known = |number: &str| Version::ALL.into_iter().find(|version| version.number() == number);
+    if let Some((number, _)) = fields.filter(|(number, _)| known(number).is_none()) {
+        return Err(LinkError::Version { found: number.to_owned() });
+    }
     if let Some((i, found)) = text.chars().enumerate().find(|&(_, c)| !is_of_a_link(c)) {
         return Err(LinkError::Character { found, position: i + 1 });
     }
-    let (covered, sum) = text.rsplit_once('.').ok_or(LinkError::Damaged)?;
-    if sum != checksum(covered) {
-        return Err(LinkError::Damaged);
-    }
-    let (number, fields) = covered.split_once('.').unwrap_or((covered, ""));
-    let Some(version) = Version::ALL.into_iter().find(|version| version.number() == number) else {
-        return Err(LinkError::Version { found: number.to_owned() });
-    };
+    let whole = fields.and_then(|(number, fields)| Some((known(number)?, fields)));
+    let (version, fields) = whole.ok_or(LinkError::Damaged)?;
     let Contents { design, packed } = reader::read(fields, version)?;
     design.check_tables(version).map_err(LinkError::Design)?;
     design.cam().map_err(LinkError::Design)?;

@@ -115,6 +115,8 @@ fn each_refusal_has_its_own_reason() {
     assert_eq!(decode(&good[..good.len() - 1]), Err(LinkError::Damaged));
     assert_eq!(decode(&good.replace("R35", "R36")), Err(LinkError::Damaged));
     assert_eq!(decode(&sealed("3.anything")), Err(LinkError::Version { found: "3".to_owned() }));
+    assert_eq!(decode(&sealed("3.~other characters")), Err(LinkError::Version { found: "3".to_owned() }));
+    assert_eq!(decode(&sealed("1.~a")), Err(LinkError::Character { found: '~', position: 3 }));
     assert_eq!(decode(&sealed("1.a.Z35D360")), Err(LinkError::Unreadable));
     assert_eq!(decode(&sealed("1.a")), Err(LinkError::Unreadable));
     let refused = decode(&sealed("1.a.R35_7D350")).expect_err("ten degrees short");
