@@ -46,9 +46,6 @@ export const KNOTS = {
   read: numbersIn,
 };
 
-/** @param {import("./types.d.ts").Segment["points"]} points @param {"en" | "es"} language */
-const tabled = (points, language) => (points ?? []).map((point) => point.map((value) => fieldText(value, language)).join("\t")).join("\n");
-
 /**
  * @param {number[] | undefined} numbers
  * @param {"en" | "es"} language
@@ -94,7 +91,7 @@ export function createTableField(context, place) {
   const table = {
     key: "points",
     long: true,
-    write: ({ points }, language) => tabled(points, language),
+    write: ({ points }, language) => (points ?? []).map((point) => point.map((value) => fieldText(value, language)).join("\t")).join("\n"),
     read(text, t, event) {
       const { points, error } = measured.read(text, /Paste|Drop/.test(event.inputType), field.input);
       return points ? { data: points } : { problem: error?.message ?? t("measured.choose") };
@@ -108,8 +105,6 @@ export function createTableField(context, place) {
   const scroll = h("div", { class: "residuals", tabindex: "0", role: "region" }, h("table", {}, head, body));
   const residuals = h("details", { hidden: true }, summary, scroll);
   field.root.append(measured.panel, span, ...measured.opener, residuals);
-  /** The table as it was when measured data were opened. */
-  let before = "";
 
   span.addEventListener("click", () => {
     store.edit(t("edit.points"), (draft) => {
@@ -122,12 +117,9 @@ export function createTableField(context, place) {
   });
 
   /** @param {Readonly<State>} state */
-  function follow({ design, language }) {
+  function follow({ design }) {
     const segment = design.segments[index()];
-    const now = measured.isOpen() ? tabled(segment?.points, language) : "";
-    // Another table, as after undo: the question is no more.
-    if (before !== "" && now !== before) measured.close();
-    before = measured.isOpen() ? now : "";
+    measured.follow();
     const last = segment?.points?.at(-1)?.[0];
     span.hidden = last === undefined || last <= 0 || last === segment?.beta || !field.readable();
     if (last !== undefined) write(span, t("table.span", { angle: format.number(last, { unit: "°" }) }));

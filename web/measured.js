@@ -25,6 +25,8 @@ export function createMeasured(context, { id, index }, left) {
   let reducer = null;
   /** @type {Uint8Array | null} */
   let bytes = null;
+  /** The table that was there when the text came. */
+  let before = "";
   /** @type {MeasuredOrder} */
   let order = {};
   /** @type {Measured | null} */
@@ -150,6 +152,8 @@ export function createMeasured(context, { id, index }, left) {
     count.focus();
   });
 
+  const table = () => JSON.stringify(store.state.design.segments[index()]?.points);
+
   /**
    * Asks about a text; what reduces it is loaded first.
    * @param {Uint8Array} text
@@ -157,6 +161,7 @@ export function createMeasured(context, { id, index }, left) {
    */
   function show(text, from) {
     bytes = text;
+    before = table();
     order = {};
     return demand(context, from, workshop, (module) => {
       // Another text may have come meanwhile.
@@ -185,8 +190,10 @@ export function createMeasured(context, { id, index }, left) {
       return answer;
     },
 
-    close,
-    isOpen: () => bytes !== null,
+    /** Another table, as after undo: the question is no more. */
+    follow() {
+      if (bytes && table() !== before) close();
+    },
 
     speak() {
       for (const [label, key] of labels) write(label, t(key));

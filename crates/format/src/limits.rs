@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 pub use levalab_core::MAX_SEGMENTS;
 
-/// Largest design file that is read, bytes: a hundred times the largest that the limits below allow.
+/// Largest design file that is read, bytes: more than the largest that the limits below allow.
 pub const MAX_FILE_BYTES: usize = 1 << 20;
 
 /// How deep objects and lists of a design file nest at most: a design has six levels, and no file can exhaust the stack.

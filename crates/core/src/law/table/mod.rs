@@ -28,8 +28,8 @@ pub const LAW: Law = Law {
     shape: Shape::Free(Free { data: DataKind::Points, first: few, solve: pieces }),
 };
 
-/// Most points. The rounding of heights appears in the jerk multiplied by the cube of their number: at the limit, some 10⁻⁶ of the
-/// lift over (β/2π)³, which is below the last digit of anything measured.
+/// Most points. The rounding of heights appears in the jerk multiplied by the cube of their number: at the limit, in a table of a whole
+/// turn, some 10⁻⁷ of the lift per radian³, which is below the last digit of anything measured.
 pub const MAX_POINTS: usize = 1024;
 
 /// Points closer than this part of β are one.
