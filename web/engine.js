@@ -122,8 +122,11 @@ export async function startEngine({ language, restarted }) {
      */
     room: (design, key) => guarded(() => module.room_for_second(design, key), null),
 
-    /** @param {string} fragment */
-    openLink: (fragment) => guarded(() => module.open_link(fragment, language()), unread(fragment)),
+    /**
+     * @param {string} address  the whole one, or a link
+     * @returns {import("./types.d.ts").OpenedLink}
+     */
+    openLink: (address) => guarded(() => module.open_link(address, language()), unread(address)),
 
     /**
      * @param {Uint8Array} bytes  of a design file

@@ -10,8 +10,8 @@ import { h, symbol, write } from "./dom.js";
 import { setBeta } from "./free-data.js";
 import { assemble } from "./free-parts.js";
 import { marksOf } from "./marks.js";
+import { createMeasured } from "./measured.js";
 import { fieldText, parseNumber } from "./numbers.js";
-import { pastedPoints } from "./pasted.js";
 import { createTextField } from "./text-field.js";
 
 /** @typedef {{ id: string, index: () => number }} Place */
@@ -44,19 +44,6 @@ export const KNOTS = {
   key: "knots",
   write: ({ knots }, language) => listed(knots, language),
   read: numbersIn,
-};
-
-/** @type {Kind} */
-const TABLE = {
-  key: "points",
-  long: true,
-  write: ({ points }, language) => (points ?? []).map((point) => point.map((value) => fieldText(value, language)).join("\t")).join("\n"),
-  read(text, t) {
-    const { points, line } = pastedPoints(text);
-    if (!points) return { problem: t("table.unreadable", { line }) };
-    const first = points[0]?.[0] ?? 0;
-    return { data: points.map(([at, s]) => [clean(at - first), s]) };
-  },
 };
 
 /**
@@ -96,14 +83,28 @@ export const createOrdinatesField = ofOneField(ORDINATES);
 export function createTableField(context, place) {
   const { store, t, format } = context;
   const { index } = place;
-  const field = createTextField(context, place, TABLE);
+  const measured = createMeasured(context, place, () => {
+    field.reset();
+    field.input.focus();
+  });
+  /** @type {Kind} */
+  const table = {
+    key: "points",
+    long: true,
+    write: ({ points }, language) => (points ?? []).map((point) => point.map((value) => fieldText(value, language)).join("\t")).join("\n"),
+    read(text, t, event) {
+      const { points, error } = measured.read(text, /Paste|Drop/.test(event.inputType), field.input);
+      return points ? { data: points } : { problem: error?.message ?? t("measured.choose") };
+    },
+  };
+  const field = createTextField(context, place, table);
   const span = h("button", { type: "button", class: "quiet", hidden: true });
   const summary = h("summary");
   const head = h("thead", {}, h("tr", {}, h("th", { scope: "col" }, symbol("θ")), h("th", { scope: "col" }, symbol("s")), h("th", { scope: "col" })));
   const body = h("tbody");
   const scroll = h("div", { class: "residuals", tabindex: "0", role: "region" }, h("table", {}, head, body));
   const residuals = h("details", { hidden: true }, summary, scroll);
-  field.root.append(span, residuals);
+  field.root.append(measured.panel, span, ...measured.opener, residuals);
 
   span.addEventListener("click", () => {
     store.edit(t("edit.points"), (draft) => {
@@ -118,6 +119,7 @@ export function createTableField(context, place) {
   /** @param {Readonly<State>} state */
   function follow({ design }) {
     const segment = design.segments[index()];
+    measured.follow();
     const last = segment?.points?.at(-1)?.[0];
     span.hidden = last === undefined || last <= 0 || last === segment?.beta || !field.readable();
     if (last !== undefined) write(span, t("table.span", { angle: format.number(last, { unit: "°" }) }));
@@ -143,5 +145,5 @@ export function createTableField(context, place) {
     });
   }
 
-  return assemble(context, { root: field.root, fields: () => [field], word: () => undefined, follow, paths: field.paths });
+  return assemble(context, { root: field.root, fields: () => [field], word: measured.speak, follow, paths: field.paths });
 }

@@ -1,7 +1,7 @@
 /**
- * The address bar: it always holds the design, and opens what is pasted into it.
+ * The address bar: it holds the design while that fits a link, and opens what is pasted into it.
  *
- * @import { Design, Read, ShellContext } from "./types.d.ts"
+ * @import { Design, OpenedLink, Read, ShellContext } from "./types.d.ts"
  */
 import { keep, recall } from "./memory.js";
 
@@ -11,11 +11,13 @@ const PAUSE = 350;
 /**
  * @param {ShellContext} context
  * @param {Pick<import("./engine.js").Engine, "openLink">} engine
- * @param {boolean} damaged  a damaged link stays in the address bar until the first edit
+ * @param {First} first  what the page began with; a damaged link stays in the address bar until the first edit
  */
-export function keepLink({ store, banner, t }, engine, damaged) {
+export function keepLink({ store, banner, t }, engine, { damaged, arrived = "" }) {
   let written = fragment();
-  const first = damaged ? store.state.report : null;
+  const begun = damaged === undefined ? null : store.state.report;
+  const cameAsQuery = () => arrived !== "" && location.search === arrived;
+  let tooLong = false;
   let lastWrite = -Infinity;
   let timer = 0;
 
@@ -24,35 +26,44 @@ export function keepLink({ store, banner, t }, engine, damaged) {
     const { link } = store.state.report;
     const design = store.lastGood();
     keep("design", design);
-    if (link !== "") point(link);
+    point(link);
     // Last, so that it names the address that the tab will come back to, whether or not that holds the design.
     keep("design", { design, fragment: fragment() }, "sessionStorage");
   }
 
-  /** @param {string} link */
+  /** @param {string} link  empty for a design that fits no link */
   function point(link) {
     written = link;
-    if (link === fragment()) return;
+    if (link === fragment() && !cameAsQuery()) return;
     lastWrite = performance.now();
+    const query = cameAsQuery() ? "" : location.search;
     try {
-      history.replaceState(null, "", `#${link}`);
+      history.replaceState(null, "", location.pathname + query + (link === "" ? "" : `#${link}`));
     } catch {
-      // A sandboxed frame may not touch its address; the button still copies the link.
+      // A sandboxed frame may not touch its address, and a file may not lose its query; the button still copies the link.
     }
   }
 
   function schedule() {
-    if (timer || store.state.report === first) return;
-    timer = window.setTimeout(write, Math.max(0, PAUSE - (performance.now() - lastWrite)));
+    if (store.state.report === begun) return;
+    const long = store.state.report.link === "";
+    if (long && !tooLong) {
+      // Another cam must not stay in the address.
+      clearTimeout(timer);
+      write();
+      banner.show("banner.long");
+    } else if (tooLong && !long) banner.hide();
+    tooLong = long;
+    timer ||= window.setTimeout(write, Math.max(0, PAUSE - (performance.now() - lastWrite)));
   }
 
   function opened() {
     const pasted = fragment();
     if (pasted === "" || pasted === written) return;
-    const read = engine.openLink(pasted);
-    if (read.error) return banner.show("banner.link", () => ({ reason: engine.openLink(pasted).error?.message ?? "" }), pasted);
+    const read = engine.openLink(location.href);
+    if (read.error) return banner.show("banner.link", () => ({ reason: engine.openLink(`#${pasted}`).error?.message ?? "" }), pasted);
     banner.hide();
-    store.replace(read.design, t("edit.link"));
+    if (read.design) store.replace(read.design, t("edit.link"));
   }
 
   store.subscribe(["report"], schedule);
@@ -72,19 +83,29 @@ export function address(link) {
 }
 
 /**
+ * What the page begins with.
+ * @typedef {object} First
+ * @property {Design} design
+ * @property {string} [damaged]  the link that did not open
+ * @property {string} [arrived]  the query of the address, when it is a link
+ */
+
+/**
  * What the page opens with: the link, else what this tab had, else what the user had last, else a good example. A damaged link
  * is told. The tab's own design goes before the link that it had then: it may be too long for one.
- * @param {{ openLink: (fragment: string) => Read, check: (design: unknown) => Read }} engine
+ * @param {{ openLink: (address: string) => OpenedLink, check: (design: unknown) => Read }} engine
  * @param {Design} example
- * @returns {{ design: Design, damaged?: string }}  with the link that did not open
+ * @returns {First}
  */
 export function firstDesign(engine, example) {
   const raw = fragment();
+  const query = raw === "" && location.search !== "" ? engine.openLink(location.href) : {};
+  const arrived = query.design || query.error ? { arrived: location.search } : {};
   const here = /** @type {{ design?: unknown, fragment?: unknown } | null} */ (recall("design", "sessionStorage"));
   const own = engine.check(here?.design).design;
-  if (own && (raw === "" || raw === here?.fragment)) return { design: own };
-  const read = raw === "" ? null : engine.openLink(raw);
-  if (read?.design) return { design: read.design };
+  if (own && !arrived.arrived && (raw === "" || raw === here?.fragment)) return { design: own };
+  const read = raw === "" ? query : engine.openLink(location.href);
+  if (read.design) return { design: read.design, ...arrived };
   const design = own ?? engine.check(recall("design")).design ?? example;
-  return read?.error ? { design, damaged: raw } : { design };
+  return read.error ? { design, damaged: raw || location.search.slice(1), ...arrived } : { design };
 }

@@ -89,9 +89,10 @@ async function start() {
   verdict.mount(element("verdict"), context);
   keys.listen(context);
   answer(context);
-  keepLink(context, engine, first.damaged !== undefined);
-  const { damaged } = first;
-  if (damaged) banner.show("banner.link", () => ({ reason: engine.openLink(damaged).error?.message ?? "" }), damaged);
+  keepLink(context, engine, first);
+  const { damaged, arrived } = first;
+  if (damaged) banner.show("banner.link", () => ({ reason: engine.openLink(`#${damaged}`).error?.message ?? "" }), damaged);
+  else if (arrived) banner.show("banner.query", () => ({ note: engine.openLink(arrived).note ?? "" }));
 
   store.set({ playing: !matchMedia("(prefers-reduced-motion: reduce)").matches });
   store.subscribe(["language"], () => {

@@ -22,7 +22,7 @@ let sessions = 0;
  * @property {boolean} [long]        several lines
  * @property {boolean} [radians]     where the follower swings it is in radians, unlike the numbers on the page, and says so
  * @property {(segment: Readonly<Segment>, language: "en" | "es") => string} write
- * @property {(text: string, t: ShellContext["t"]) => Meaning} read
+ * @property {(text: string, t: ShellContext["t"], event: InputEvent) => Meaning} read
  * @property {(segment: Segment, data: unknown, state: Readonly<State>, index: number) => void} [adopt]  what else follows from it
  */
 
@@ -58,8 +58,8 @@ export function createTextField({ store, t }, { id, index }, kind) {
     store.endGesture();
     update(store.state);
   });
-  input.addEventListener("input", () => {
-    const { data, problem: unread } = kind.read(input.value, t);
+  input.addEventListener("input", (event) => {
+    const { data, problem: unread } = kind.read(input.value, t, event instanceof InputEvent ? event : new InputEvent("input"));
     problem = unread ?? null;
     if (problem === null) {
       store.edit(

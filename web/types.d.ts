@@ -99,9 +99,9 @@ export interface Segment {
   [parameter: string]: number | FreeData | undefined;
 }
 
-/** The design file `levalab/1` as a plain object. */
+/** The design file as a plain object; its version is that of the last read, and counts for nothing here. */
 export interface Design {
-  format: "levalab/1";
+  format: "levalab/1" | "levalab/2";
   title: string;
   length_unit: string;
   speed: { value: number; unit: string };
@@ -340,6 +340,45 @@ export interface Report {
 }
 
 export type Opened = { report: Report; error?: undefined } | { error: DesignError; report?: undefined };
+/** What an address holds: nothing at all when there is no link in it. */
+export interface OpenedLink {
+  design?: Design;
+  /** What is to be said about how the link came. */
+  note?: string;
+  error?: DesignError;
+}
+
+/** Pairs of numbers of a text, or the line, from 1, that is none. */
+export type Pairs = { points: Point[]; line?: undefined } | { line: number; points?: undefined };
+
+/** What the text of a table says: its points, or how many lines of measured data it has, of which columns and points are to be chosen. */
+export type TableText = { points: Point[]; measured?: undefined; error?: undefined } | { measured: number; points?: undefined; error?: undefined } | { error: DesignError; points?: undefined; measured?: undefined };
+
+/** What is asked of measured data: columns, and a number of points or a residual. */
+export interface MeasuredOrder {
+  angle?: number;
+  lift?: number;
+  count?: number | undefined;
+  within?: number | undefined;
+}
+
+/** What a text of measured data holds, and what is taken of it. */
+export interface Measured {
+  /** Columns of numbers. */
+  columns: { index: number; heading: string; unit: string; sample: number[] }[];
+  angle: number;
+  lift: number;
+  /** Points of the whole curve, and the most that may be taken. */
+  all: number;
+  most: number;
+  points: Point[];
+  /** The largest of curve − point, and where. */
+  residual: number;
+  at: number;
+  note: string;
+  error?: DesignError;
+}
+
 export type Read = { design: Design; error?: undefined } | { error: DesignError; design?: undefined };
 
 /** A file that is wanted of the module for exports; lengths in the unit of the design. */

@@ -28,7 +28,6 @@ const DAMAGED = {
   "cut to a few characters": GOOD.slice(0, 4),
   "no checksum": GOOD.slice(0, GOOD.lastIndexOf(".")),
   "an empty checksum": GOOD.slice(0, GOOD.lastIndexOf(".") + 1),
-  "twice in a row": GOOD + GOOD,
   "of a version to come": GOOD.replace(/^1/, "2"),
   "something else altogether": "section-3_of.the-handbook",
   "percent signs and quotes": "1.%E2%82%AC%00'\"><b>x",
@@ -226,4 +225,82 @@ test("a title from a link is text and nothing else", async (t) => {
   await becomes(() => fragment(page), link);
   await becomes(() => title.inputValue(), "<img src=x onerror=alert(1)>");
   assert.equal(await page.locator("img").count(), 0);
+});
+
+/** Ways in which programs pass on a link, without a character lost. @type {Record<string, string>} */
+const MANGLED = {
+  encoded: GOOD.replaceAll(/[._-]/g, (c) => `%${c.charCodeAt(0).toString(16).toUpperCase()}`),
+  "behind a slash": `/${GOOD}`,
+  "escaped for Markdown": GOOD.replaceAll("_", String.raw`\_`),
+  "in angle brackets": `<${GOOD}>`,
+  "with a tail": `${GOOD}&fbclid=IwAR0`,
+  "at the end of a sentence": `${GOOD}).`,
+  "twice in a row": GOOD + GOOD,
+};
+
+test("a link that was mangled on the way opens, and the address is the link again", async (t) => {
+  const { page, url } = await openStill(t);
+  for (const [how, link] of Object.entries(MANGLED)) {
+    await page.goto("about:blank");
+    await page.goto(`${url}#${LINKS["9RT"]}`);
+    await becomes(() => page.title(), "Example 9RT · LevaLab");
+    await paste(page, link);
+    await becomes(() => page.title(), "Example 2RO · LevaLab");
+    await becomes(() => fragment(page), GOOD);
+    assert.equal(await banner(page).innerText(), "", how);
+  }
+});
+
+test("a link behind a question mark opens, the address has it behind #, and the page says that the server saw it", async (t) => {
+  const { page, url } = await openStill(t);
+  await page.goto(`${url}?${GOOD}&utm_source=mail`);
+  await becomes(() => page.title(), "Example 2RO · LevaLab");
+  await becomes(() => page.evaluate(() => [location.search, location.hash]), ["", `#${GOOD}`]);
+  assert.match(await banner(page).innerText(), /the design did reach the server/);
+  await page.getByRole("button", { name: "ES", exact: true }).click();
+  await becomes(() => banner(page).innerText(), /el diseño sí llegó al servidor/);
+  await page.reload();
+  await becomes(() => page.title(), "Example 2RO · LevaLab");
+  assert.equal(await banner(page).innerText(), "");
+
+  await page.goto("about:blank");
+  await page.goto(`${url}?${LINKS.R1}#${GOOD}`);
+  await becomes(() => page.title(), "Example 2RO · LevaLab");
+  assert.equal(await banner(page).innerText(), "", "the fragment wins");
+  await page.goto("about:blank");
+  await page.goto(`${url}?utm_source=mail`);
+  await becomes(() => page.title(), "Example 2RO · LevaLab");
+  assert.equal(await banner(page).innerText(), "", "another query is none of its business");
+});
+
+test("a damaged link behind a question mark is told and kept to be copied", async (t) => {
+  const { page, url } = await openStill(t);
+  const link = DAMAGED["one digit changed"];
+  await page.goto(`${url}?${link}`);
+  await becomes(() => banner(page).getByRole("textbox").inputValue().catch(() => ""), link);
+  await field(page, "base_radius").fill("41");
+  await becomes(() => fragment(page), /R41_/);
+  assert.equal(await page.evaluate(() => location.search), "");
+});
+
+/** A segment of a table, which a design with many digits is pasted into. */
+const TABLE = "1.table.R40_10L180p0p45_.9p90_5p135_9.1p180_10L180_0_.02p0_10p45_9.08p90_5.03p135_.93p180.4C60MS";
+
+test("a design too long for a link takes the former one out of the address at once, and says so", async (t) => {
+  const { page } = await openStill(t, { fragment: TABLE });
+  await field(page, "base_radius").fill("41");
+  const former = await nextFragment(page, TABLE);
+  const points = page.getByRole("textbox", { name: en("free.points", { number: 1 }), exact: true });
+  const noise = (/** @type {number} */ k) => (k === 0 ? 0 : k === 360 ? 10 : k / 36 + ((k * k * 0.618034) % 1) * 1e-3);
+  await points.fill(Array.from({ length: 361 }, (_, k) => `${k / 2} ${noise(k).toFixed(12)}`).join("\n"));
+  await becomes(() => page.evaluate(() => location.href.includes("#")), false);
+  await becomes(() => banner(page).innerText(), new RegExp(literal(en("banner.long"))));
+  assert(await page.getByRole("button", { name: en("header.share"), exact: true }).isDisabled());
+  await page.reload();
+  await becomes(() => field(page, "base_radius").inputValue(), "41");
+  await becomes(() => points.inputValue().then((text) => text.split("\n").length), 361);
+  await points.fill("0 0\n90 5.5\n180 10");
+  await becomes(() => fragment(page), /\.R41_10L180p0p90_5\.5p180_10L180/);
+  await becomes(() => banner(page).innerText(), "");
+  assert.notEqual(await fragment(page), former);
 });

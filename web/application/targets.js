@@ -6,7 +6,6 @@
  */
 import { h, write } from "../dom.js";
 import { fieldText } from "../numbers.js";
-import { pastedPoints } from "../pasted.js";
 import { letterOf, placeIn, placeText, unitOfPlace } from "../stage/place.js";
 
 /** @type {NonNullable<ApplicationDesign["by"]>[]} */
@@ -18,7 +17,7 @@ let sessions = 0;
  * @param {ShellContext} context
  * @param {Work} work
  */
-export function createTargets({ store, t, format }, work) {
+export function createTargets({ store, t, format, module }, work) {
   const output = h("select");
   const outputName = h("span");
   const by = h("select");
@@ -57,7 +56,7 @@ export function createTargets({ store, t, format }, work) {
     update();
   });
   field.addEventListener("input", () => {
-    const { points, line } = pastedPoints(field.value);
+    const { points, line } = module().pairs(field.value);
     problem = points ? null : t("application.targets.unreadable", { line });
     if (points) {
       shown = text(points);

@@ -18,6 +18,8 @@ export const en = {
   "banner.close": "Close",
   "banner.copy": "Copy the link as it came",
   "banner.link": "{reason} It was not opened: your own design stays as it was.",
+  "banner.query": "{note}",
+  "banner.long": "This design is too long for a link; save it as a file. The address holds no design until it is shorter.",
   "banner.panic": "Something in the calculation failed, which is a fault of LevaLab and not yours. It was started again and nothing is lost: undo the last change and go on.",
   "banner.broken": "The calculation keeps failing. Your design is safe in the address bar. The page tries again in a few seconds; should it fail once more, copy the link and load the page again.",
   "banner.file": "The file was not opened. {reason}",

@@ -58,7 +58,7 @@ pub fn design_of_link(text: &str, language: Language) -> Result<Design, Failure>
         text.to_owned()
     };
     let refused = |error| Failure::data("link", levalab_words::link_error(language, &error));
-    link::decode(link::within(&text)).map(told).map_err(refused)
+    link::open(&text).map(|opened| told(opened.design)).map_err(refused)
 }
 
 /// The bytes of a file or of standard input, no more than so many.

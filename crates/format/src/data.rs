@@ -5,9 +5,10 @@ use crate::decimal::Decimal;
 use crate::fields::{Field, Object};
 use crate::limits::DERIVATIVE;
 use crate::report::tidy;
+use crate::version::Version;
 use crate::write::number;
 use crate::{DataRefusal, DesignError, Measure, Path, SegmentDesign};
-use levalab_core::law::{Condition, Data, DataKind, Law, MAX_ORDINATES, MAX_POINTS, MAX_SPLINE_CONDITIONS};
+use levalab_core::law::{Condition, Data, DataKind, Law, MAX_ORDINATES, MAX_SPLINE_CONDITIONS};
 use levalab_core::{Expression, Quantity};
 use serde_json::Value;
 use std::ops::RangeInclusive;
@@ -38,7 +39,7 @@ pub(crate) fn keys(law: &Law) -> impl Iterator<Item = &'static str> {
 }
 
 /// Reads the data of a law from its segment.
-pub(crate) fn read(segment: &Object, law: &Law) -> Result<Data, DesignError> {
+pub(crate) fn read(segment: &Object, law: &Law, known: Version) -> Result<Data, DesignError> {
     let Some(free) = law.free() else { return Ok(Data::None) };
     let field = segment.required(key(free.data))?;
     match free.data {
@@ -54,7 +55,7 @@ pub(crate) fn read(segment: &Object, law: &Law) -> Result<Data, DesignError> {
             }
         }
         DataKind::Points => {
-            let each = field.items(MAX_POINTS)?.map(|item| item.pair());
+            let each = field.items(known.max_table_points())?.map(|item| item.pair());
             Ok(Data::Points(each.collect::<Result<_, _>>()?))
         }
         DataKind::Ordinates => {

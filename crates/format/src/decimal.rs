@@ -10,7 +10,7 @@ use std::ops::{Add, Neg, Sub};
 pub struct Decimal(i128);
 
 /// Decimals kept.
-const DECIMALS: i32 = 18;
+pub(crate) const DECIMALS: i32 = 18;
 
 /// One, in units of 10⁻¹⁸.
 const ONE: i128 = 10_i128.pow(DECIMALS as u32);
@@ -43,6 +43,30 @@ impl Decimal {
         })
     }
 
+    /// The decimals that it has: 0 for a whole number.
+    #[must_use]
+    pub(crate) fn places(self) -> i32 {
+        let mut places = DECIMALS;
+        let mut rest = self.0;
+        while places > 0 && rest % 10 == 0 {
+            rest /= 10;
+            places -= 1;
+        }
+        places
+    }
+
+    /// How many steps of 10^−`decimals` it is, with as many decimals as it has or more.
+    #[must_use]
+    pub(crate) fn in_steps(self, decimals: i32) -> i128 {
+        self.0 / step(decimals)
+    }
+
+    /// So many steps of 10^−`decimals`.
+    #[must_use]
+    pub(crate) fn of_steps(steps: i128, decimals: i32) -> Self {
+        Self(steps.saturating_mul(step(decimals)))
+    }
+
     /// The nearest `f64`.
     #[must_use]
     pub fn to_f64(self) -> f64 {
@@ -54,6 +78,11 @@ impl Decimal {
         let value = decimal(self.0.unsigned_abs(), -DECIMALS);
         if self.0 < 0 { -value } else { value }
     }
+}
+
+/// 10^−`decimals` in units of 10⁻¹⁸.
+fn step(decimals: i32) -> i128 {
+    10_i128.pow(DECIMALS.saturating_sub(decimals).clamp(0, DECIMALS) as u32)
 }
 
 impl Add for Decimal {

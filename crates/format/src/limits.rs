@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 pub use levalab_core::MAX_SEGMENTS;
 
-/// Largest design file that is read, bytes: a hundred times the largest that the limits below allow.
+/// Largest design file that is read, bytes: more than the largest that the limits below allow.
 pub const MAX_FILE_BYTES: usize = 1 << 20;
 
 /// How deep objects and lists of a design file nest at most: a design has six levels, and no file can exhaust the stack.
@@ -19,6 +19,21 @@ pub const MAX_LINK_OPENED: usize = 8192;
 
 /// Longest link that is made, characters: what chat programs, mail readers and QR codes still carry whole.
 pub const MAX_LINK_MADE: usize = 2000;
+
+/// Most bytes that the section of tables of a link unpacks to.
+pub const MAX_INFLATED: usize = 1 << 16;
+
+/// How many bytes one packed byte of a link may unpack to: no more than tables come to, so that no link can exhaust the memory.
+pub const MAX_INFLATION: usize = 100;
+
+/// Most points of a table in a file or a link of version 1.
+pub const MAX_TABLE_POINTS_OF_VERSION_1: usize = 128;
+
+/// Most points of measured data that are read, to be reduced to those of a table.
+pub const MAX_MEASURED_POINTS: usize = 8192;
+
+/// Most points of all tables of a design that needs version 2: two of the largest tables, computed within a frame or two.
+pub const MAX_DESIGN_POINTS: usize = 2048;
 
 /// Sizes (radii, arms, distances), in the unit of the design: from a nanometre in mm to a kilometre, beyond any cam, and
 /// with room for the cubes and fifth powers of the formulas in an `f64`.

@@ -5,7 +5,8 @@ use crate::data;
 use crate::design::motion_and_contact;
 use crate::fields::{Field, Object};
 use crate::limits::MAX_SEGMENTS;
-use crate::write::{FORMAT, ROTATIONS};
+use crate::version::{Version, is_newer};
+use crate::write::ROTATIONS;
 use crate::{
     BreadthGenerator, CamKind, CamRefusal, Conjugate, Design, DesignError, Kind, LengthUnit, Notation, Path, Problem,
     ProgramRefusal, SegmentDesign, Speed, SpeedUnit, json,
@@ -20,7 +21,7 @@ impl Design {
     /// # Errors
     /// Says where the text is not a design, and why.
     pub fn from_json(text: &str) -> Result<Self, DesignError> {
-        Self::from_value(&json::parse(text)?)
+        of_file(&json::parse(text)?).map(|(design, _, _)| design)
     }
 
     /// Reads the bytes of a design file.
@@ -28,10 +29,11 @@ impl Design {
     /// # Errors
     /// As [`Design::from_json`], and when the bytes are not UTF-8 text.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, DesignError> {
-        Self::from_value(&json::parse_bytes(bytes)?)
+        Self::open_bytes(bytes).map(|(design, _, _)| design)
     }
 
-    /// Reads a design from the object that a design file holds.
+    /// Reads a design from an object such as a design file holds. The object may have been edited since its version was written, so
+    /// the version counts for nothing, other than in a file.
     ///
     /// # Errors
     /// As [`Design::from_json`].
@@ -41,15 +43,42 @@ impl Design {
 
     /// A design as it stands in an object, its program not looked at.
     pub(crate) fn read_around(value: &Value) -> Result<Self, DesignError> {
-        read(value)
+        read(value, Version::LATEST)
     }
 
     /// Reads a design with its cam and the second cam of a conjugate pair, since checking the design makes them.
-    pub(crate) fn open(value: &Value) -> Result<(Self, Cam, Option<Cam>), DesignError> {
-        let mut design = read(value)?;
-        let (first, second) = design.cams()?;
-        design.settle_rises();
-        Ok((design, first, second))
+    pub(crate) fn open(value: &Value) -> Result<WithCams, DesignError> {
+        checked(read(value, Version::LATEST)?)
+    }
+
+    /// Reads the bytes of a design file likewise.
+    pub(crate) fn open_bytes(bytes: &[u8]) -> Result<WithCams, DesignError> {
+        of_file(&json::parse_bytes(bytes)?)
+    }
+}
+
+/// A design with its cam and the second cam of a conjugate pair.
+type WithCams = (Design, Cam, Option<Cam>);
+
+/// A design from the object that a file holds, which has nothing that the version of the file does not know.
+fn of_file(value: &Value) -> Result<WithCams, DesignError> {
+    let version = version(&Object::any(value, Path::default())?)?;
+    checked(read(value, version)?)
+}
+
+fn checked(mut design: Design) -> Result<WithCams, DesignError> {
+    let (first, second) = design.cams()?;
+    design.settle_rises();
+    Ok((design, first, second))
+}
+
+fn version(file: &Object) -> Result<Version, DesignError> {
+    match file.word("format", &Version::ALL.map(Version::format)) {
+        Ok(version) => Ok(Version::ALL[version]),
+        Err(DesignError { path, problem: Problem::WrongWord { found, .. } }) if is_newer(&found) => {
+            Err(DesignError::at(path, Problem::NewerFormat { found }))
+        }
+        Err(error) => Err(error),
     }
 }
 
@@ -57,9 +86,10 @@ impl Design {
 const FIELDS: [&str; 10] =
     ["format", "title", "length_unit", "speed", "cam", "follower", "conjugate", "application", "notation", "segments"];
 
-fn read(value: &Value) -> Result<Design, DesignError> {
+/// A design with what is known in a version.
+fn read(value: &Value, known: Version) -> Result<Design, DesignError> {
     let file = Object::any(value, Path::default())?;
-    file.word("format", &[FORMAT])?;
+    version(&file)?;
     file.only(&FIELDS)?;
     let units = LengthUnit::ALL.map(LengthUnit::symbol);
     let length_unit = match file.has("length_unit") {
@@ -78,7 +108,7 @@ fn read(value: &Value) -> Result<Design, DesignError> {
         true => ROTATIONS[cam.word("rotation", &ROTATIONS.map(|(word, _)| word))?].1,
         false => ROTATIONS[0].1,
     };
-    let (follower, values) = read_follower(&file.object("follower")?)?;
+    let (follower, values) = read_follower(&file.object("follower")?, known)?;
     let mut design = Design {
         title: file.optional("title").map_or(Ok(String::new()), |title| title.text())?,
         length_unit,
@@ -88,7 +118,7 @@ fn read(value: &Value) -> Result<Design, DesignError> {
         base_radius: if kind.travel().is_some() { 0.0 } else { cam.required("base_radius")?.number()? },
         follower,
         values,
-        segments: if ready { Vec::new() } else { read_segments(&file)? },
+        segments: if ready { Vec::new() } else { read_segments(&file, known)? },
         conjugate: None,
         application: None,
         notation: match file.has("notation") {
@@ -175,35 +205,40 @@ fn read_speed(file: &Object, kind: CamKind, length_unit: LengthUnit) -> Result<S
     Ok(Speed { value: speed.required("value")?.number()?, unit })
 }
 
-fn read_follower(follower: &Object) -> Result<(&'static FollowerKind, [f64; MAX_FOLLOWER_PARAMETERS]), DesignError> {
-    let mut motions: Vec<&'static str> = FOLLOWERS.iter().map(|kind| motion_and_contact(kind).0).collect();
+fn read_follower(
+    follower: &Object,
+    known: Version,
+) -> Result<(&'static FollowerKind, [f64; MAX_FOLLOWER_PARAMETERS]), DesignError> {
+    let followers = || FOLLOWERS.iter().copied().filter(|kind| known.has_follower(kind));
+    let mut motions: Vec<&'static str> = followers().map(|kind| motion_and_contact(kind).0).collect();
     motions.dedup();
     let motion = motions[follower.word("motion", &motions)?];
-    let kinds: Vec<_> = FOLLOWERS.iter().copied().filter(|kind| motion_and_contact(kind).0 == motion).collect();
+    let kinds: Vec<_> = followers().filter(|kind| motion_and_contact(kind).0 == motion).collect();
     let contacts: Vec<&'static str> = kinds.iter().map(|kind| motion_and_contact(kind).1).collect();
     let kind = kinds[follower.word("contact", &contacts)?];
     let values = follower.parameters(&["motion", "contact"], kind.parameters)?;
     Ok((kind, values))
 }
 
-fn read_segments(file: &Object) -> Result<Vec<SegmentDesign>, DesignError> {
+fn read_segments(file: &Object, known: Version) -> Result<Vec<SegmentDesign>, DesignError> {
     let list = file.required("segments")?;
     let Value::Array(items) = list.value else { return Err(list.wrong_kind(Kind::List)) };
     if items.len() > MAX_SEGMENTS {
         let problem = Problem::Program(ProgramRefusal::TooManySegments { found: items.len(), limit: MAX_SEGMENTS });
         return Err(DesignError::at(list.path, problem));
     }
-    let each = items.iter().enumerate().map(|(k, item)| read_segment(&Object::any(item, list.path.join(k))?));
+    let each = items.iter().enumerate().map(|(k, item)| read_segment(&Object::any(item, list.path.join(k))?, known));
     each.collect()
 }
 
-fn read_segment(segment: &Object) -> Result<SegmentDesign, DesignError> {
-    let ids: Vec<&'static str> = LAWS.iter().map(|law| law.id).collect();
-    let law: &'static Law = LAWS[segment.word("law", &ids)?];
+fn read_segment(segment: &Object, known: Version) -> Result<SegmentDesign, DesignError> {
+    let laws: Vec<&'static Law> = LAWS.iter().copied().filter(|law| known.has_law(law)).collect();
+    let ids: Vec<&'static str> = laws.iter().map(|law| law.id).collect();
+    let law = laws[segment.word("law", &ids)?];
     let shared: Vec<&'static str> = ["law", "beta", "rise"].into_iter().chain(data::keys(law)).collect();
     let parameters: [f64; MAX_LAW_PARAMETERS] = segment.parameters(&shared, law.parameters)?;
     let beta = segment.required("beta")?.number()?;
-    let data = data::read(segment, law)?;
+    let data = data::read(segment, law, known)?;
     let rise = match segment.optional("rise") {
         None if !data::asks_for_rise(law, &data) => 0.0,
         _ => segment.required("rise")?.number()?,

@@ -2,7 +2,7 @@
 
 use crate::compare::Figures;
 use crate::report::{self, Report};
-use crate::{CureJob, Design, DesignCure, DesignError, MotionUnits, Notation, Outcome, json};
+use crate::{CureJob, Design, DesignCure, DesignError, MotionUnits, Notation, Outcome};
 use levalab_core::{Analysis, Cam, Column, Level};
 use serde_json::Value;
 use std::sync::Arc;
@@ -52,7 +52,8 @@ impl Study {
     /// # Errors
     /// As [`Design::from_bytes`].
     pub fn from_bytes(bytes: &[u8], rows: usize) -> Result<Self, DesignError> {
-        Self::open(&json::parse_bytes(bytes)?, rows)
+        let (design, first, second) = Design::open_bytes(bytes)?;
+        Ok(Self::of_cams(design, first, second, rows))
     }
 
     fn of_cams(design: Design, first: Cam, second: Option<Cam>, rows: usize) -> Self {

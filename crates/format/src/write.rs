@@ -11,9 +11,6 @@ use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
 
-/// The version of the design file, its first field.
-pub const FORMAT: &str = "levalab/1";
-
 /// The words for the senses of rotation, the default first.
 pub(crate) const ROTATIONS: [(&str, Rotation); 2] =
     [("counterclockwise", Rotation::CounterClockwise), ("clockwise", Rotation::Clockwise)];
@@ -43,7 +40,7 @@ impl Serialize for Design {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let segments: Vec<Entries> = self.segments.iter().map(segment_entries).collect();
         let mut file = serializer.serialize_map(None)?;
-        file.serialize_entry("format", FORMAT)?;
+        file.serialize_entry("format", self.version().format())?;
         file.serialize_entry("title", &self.title)?;
         file.serialize_entry("length_unit", self.length_unit.symbol())?;
         file.serialize_entry("speed", &self.speed_entries())?;

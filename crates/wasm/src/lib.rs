@@ -14,6 +14,7 @@ mod marks;
 mod mechanism;
 mod numbers;
 mod pair;
+mod pasted;
 mod report;
 mod sheet;
 
@@ -21,14 +22,15 @@ pub use lab::Lab;
 
 use levalab_core::Tie;
 use levalab_edge::{Failure, language, object, value};
-use levalab_format::{Design, link};
+use levalab_format::Design;
+use levalab_format::link::{self, LinkError};
 use serde::Serialize;
 use serde_json::Value;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, NumberReading, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
+import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, NumberReading, Opened, OpenedLink, Pairs, PlotArea, Read, Room, TableText, TieKey } from "../types.d.ts";
 "#;
 
 /// The room for a second cam tied in one way: a good value, and between which values it has its place (no greatest for a distance).
@@ -46,20 +48,38 @@ enum Read {
     Error(Failure),
 }
 
-/// The design of a share link, given with or without its `#`.
+/// What an address holds: a design and what is to be said about how it came, or why it does not open; nothing when
+/// there is no link in it.
+#[derive(Default, Serialize)]
+struct OpenedLink {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    design: Option<Design>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<Failure>,
+}
+
+/// The design of a share link, given as the whole address or by itself.
 ///
 /// # Errors
 /// Never: a link that does not open is an answer.
-#[wasm_bindgen(unchecked_return_type = "Read")]
+#[wasm_bindgen(unchecked_return_type = "OpenedLink")]
 pub fn open_link(
-    fragment: &str,
+    address: &str,
     #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
 ) -> Result<JsValue, JsError> {
     let language = language(words);
-    object(&match link::decode(link::within(fragment)) {
-        Ok(design) => Read::Design(Box::new(design)),
+    object(&match link::open(address) {
+        Ok(link::Opened { design, from_query, .. }) => OpenedLink {
+            design: Some(design),
+            note: from_query.then(|| levalab_words::link_from_query(language)),
+            error: None,
+        },
+        Err(LinkError::Empty) => OpenedLink::default(),
         Err(error) => {
-            Read::Error(Failure { path: String::new(), message: levalab_words::link_error(language, &error) })
+            let message = levalab_words::link_error(language, &error);
+            OpenedLink { error: Some(Failure { path: String::new(), message }), ..OpenedLink::default() }
         }
     })
 }

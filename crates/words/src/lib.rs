@@ -22,6 +22,7 @@ mod application;
 mod en;
 mod es;
 mod join;
+mod measured;
 mod notation;
 mod number_problem;
 mod pair;
@@ -30,6 +31,7 @@ mod units;
 mod voice;
 
 pub use application::{application_head, application_name, application_title, outcome};
+pub use measured::{measured_note, measured_problem};
 pub use notation::{SIGNS, Signs};
 pub use number_problem::number_problem;
 pub use pair::no_second;
@@ -220,6 +222,12 @@ pub fn link_error(language: Language, error: &LinkError) -> String {
         LinkError::Design(error) => format!("{}: {}", error.path, design_error(language, error)),
         _ => language.voice().link(error),
     }
+}
+
+/// The sentence about a link that came as the query of an address: unlike a fragment, a query is sent to the server.
+#[must_use]
+pub fn link_from_query(language: Language) -> &'static str {
+    language.voice().link_from_query()
 }
 
 /// Why a design has no link.

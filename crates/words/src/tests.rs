@@ -5,6 +5,7 @@ use levalab_core::{
     Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, Instead, LAWS, Level,
     Misfit, RoughnessCause,
 };
+use levalab_format::measured::{Curve, MeasuredProblem};
 use levalab_format::{
     CamKind, CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Price, Problem, ProgramRefusal, cures, example,
 };
@@ -72,7 +73,9 @@ fn problems() -> Vec<Problem> {
         Problem::UnknownField { expected: vec!["law", "beta", "rise"] },
         Problem::DuplicateField,
         Problem::WrongWord { found: "a\nb".to_owned(), expected: vec!["mm", "cm"] },
-        Problem::WrongWord { found: "levalab/2".to_owned(), expected: vec!["levalab/1"] },
+        Problem::WrongWord { found: "levalab".to_owned(), expected: vec!["levalab/1"] },
+        Problem::NewerFormat { found: "levalab/3".to_owned() },
+        Problem::Program(ProgramRefusal::TooManyPoints { found: 2049, limit: 2048 }),
         Problem::OutOfRange { found: 361.0, min: 0.001, max: 360.0, measure },
         Problem::NotBetween { found: 90.0, min: -90.0, max: 90.0, measure },
         Problem::NotPositive { found: -3.0, measure: Measure::Length },
@@ -147,7 +150,8 @@ fn links() -> Vec<LinkError> {
         LinkError::TooLong(TooLong { found: 9000, limit: 8192 }),
         LinkError::Character { found: '%', position: 3 },
         LinkError::Damaged,
-        LinkError::Version { found: "2".to_owned() },
+        LinkError::Version { found: "3".to_owned() },
+        LinkError::Newer { found: "x".to_owned() },
         LinkError::Unreadable,
         LinkError::Design(DesignError {
             path: Path::from("segments"),
@@ -225,6 +229,22 @@ fn sentences_are_one_line_each() {
             check(language, &link_error(language, &error));
         }
         check(language, &too_long(language, TooLong { found: 2001, limit: 2000 }));
+        check(language, link_from_query(language));
+        for problem in [
+            MeasuredProblem::TooLarge { limit: 1 << 20 },
+            MeasuredProblem::NotNumbers { line: 2 },
+            MeasuredProblem::NoValue { line: 2, column: 3 },
+            MeasuredProblem::Unordered { line: 4, found: 12.25, before: 60.5 },
+            MeasuredProblem::TooManyPoints { found: 8193, limit: 8192 },
+            MeasuredProblem::TooFewPoints { found: 1 },
+            MeasuredProblem::Columns,
+        ] {
+            check(language, &measured_problem(language, &problem));
+        }
+        let curve = Curve { points: Vec::new(), first: 12.25, is_completed: true, is_in_radians: true };
+        check(language, &measured_note(language, &curve));
+        let untouched = Curve { first: 0.0, is_completed: false, is_in_radians: false, ..curve };
+        assert_eq!(measured_note(language, &untouched), "");
     }
 }
 

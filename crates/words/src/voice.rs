@@ -37,6 +37,7 @@ pub(crate) trait Voice {
     fn cure(&self, finding: &DesignFinding, remedy: &Remedy, units: Units) -> String;
     fn problem(&self, problem: &Problem) -> String;
     fn link(&self, error: &LinkError) -> String;
+    fn link_from_query(&self) -> &'static str;
     fn too_long(&self, refusal: TooLong) -> String;
     fn file(&self, problem: FileProblem) -> &'static str;
 }

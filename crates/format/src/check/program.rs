@@ -38,6 +38,7 @@ impl Design {
         if found > MAX_SEGMENTS {
             return Err(DesignError::at("segments", ProgramRefusal::TooManySegments { found, limit: MAX_SEGMENTS }));
         }
+        self.check_points()?;
         for k in 0..found {
             self.check_segment(k)?;
         }

@@ -110,6 +110,11 @@ pub enum Problem {
         /// The choices.
         expected: Vec<&'static str>,
     },
+    /// A design file of a version that is newer than this program.
+    NewerFormat {
+        /// What its first field says.
+        found: String,
+    },
     /// A number out of its range.
     OutOfRange {
         /// The number.

@@ -14,6 +14,13 @@ pub enum ProgramRefusal {
         /// The most there may be.
         limit: usize,
     },
+    /// More points in all tables together than a design may have.
+    TooManyPoints {
+        /// How many there are.
+        found: usize,
+        /// The most there may be.
+        limit: usize,
+    },
     /// A dwell with a rise.
     DwellRises {
         /// The rise.

@@ -2,7 +2,7 @@
 //! of targets are times, and the targets: `okb_93.684p0p56.88_110.27`.
 
 use super::reader::Fields;
-use super::{codes, number, write_value, write_values};
+use super::{Writer, codes};
 use crate::application::default_of;
 use crate::limits::MAX_TARGETS;
 use crate::{ApplicationDesign, TargetsBy};
@@ -11,21 +11,22 @@ use levalab_core::application::{Application, MAX_APPLICATION_PARAMETERS};
 /// What stands for the outputs of an application, but for the first.
 const OUTPUTS: [char; 3] = ['b', 'c', 'd'];
 
-pub(super) fn write(text: &mut String, design: &ApplicationDesign) {
+pub(super) fn write(writer: &mut Writer, design: &ApplicationDesign) {
+    let text = &mut writer.text;
     text.push('o');
     text.push_str(codes::of_application(design.application));
     if let Some(letter) = design.output.checked_sub(1).and_then(|k| OUTPUTS.get(k)) {
         text.push(*letter);
     }
-    write_values(text, &design.values, defaults(design.application));
+    writer.values(&design.values, defaults(design.application));
     if design.by == TargetsBy::Time {
-        text.push('t');
+        writer.text.push('t');
     }
     for &[at, value] in &design.targets {
-        text.push('p');
-        number::write(text, at);
+        writer.text.push('p');
+        writer.number(at);
         if value != 0.0 {
-            write_value(text, value);
+            writer.value(value);
         }
     }
 }

@@ -1,53 +1,55 @@
 //! The data of a free law in a link, after the numbers of its segment.
 //!
 //! A condition is a letter for what is known (`s`, `v`, `a`, `j`), where, and the value unless it is zero: `s0v0a0s120_10v120a120`; the knots of a spline
-//! follow, each a `k` and where. A point of a table is `p`, where, and *s*; ordinates are `o` and their values; an expression is `f`, its text as a title is written, and a full stop.
+//! follow, each a `k` and where. A table that is in the section of long tables has no points here. A point of a table is `p`, where, and *s*; ordinates are `o` and their values; an expression is `f`, its text as a title is written, and a full stop.
 
 use super::reader::Fields;
-use super::{number, title, write_value};
+use super::{Writer, tables, title};
+use crate::Version;
 use levalab_core::law::{Condition, Data, DataKind, Law};
 
 /// What a condition is on, by its order.
 const ORDERS: [char; 4] = ['s', 'v', 'a', 'j'];
 
-pub(super) fn write(text: &mut String, data: &Data) {
+pub(super) fn write(writer: &mut Writer, data: &Data) {
     match data {
         Data::None => {}
-        Data::Conditions(conditions) => write_conditions(text, conditions),
+        Data::Conditions(conditions) => write_conditions(writer, conditions),
         Data::Spline { conditions, knots } => {
-            write_conditions(text, conditions);
+            write_conditions(writer, conditions);
             for &knot in knots {
-                text.push('k');
-                number::write(text, knot);
+                writer.text.push('k');
+                writer.number(knot);
             }
         }
+        Data::Points(points) if writer.version > Version::One && tables::is_packed(points) => {}
         Data::Points(points) => {
             for &[at, s] in points {
-                text.push('p');
-                number::write(text, at);
+                writer.text.push('p');
+                writer.number(at);
                 if s != 0.0 {
-                    write_value(text, s);
+                    writer.value(s);
                 }
             }
         }
         Data::Ordinates(ordinates) => {
-            text.push('o');
-            ordinates.iter().for_each(|&s| write_value(text, s));
+            writer.text.push('o');
+            ordinates.iter().for_each(|&s| writer.value(s));
         }
         Data::Expression(expression) => {
-            text.push('f');
-            title::write(text, expression);
-            text.push('.');
+            writer.text.push('f');
+            writer.title(expression);
+            writer.text.push('.');
         }
     }
 }
 
-fn write_conditions(text: &mut String, conditions: &[Condition]) {
+fn write_conditions(writer: &mut Writer, conditions: &[Condition]) {
     for &Condition { at, order, value } in conditions {
-        text.push(ORDERS[usize::from(order) % ORDERS.len()]);
-        number::write(text, at);
+        writer.text.push(ORDERS[usize::from(order) % ORDERS.len()]);
+        writer.number(at);
         if value != 0.0 {
-            write_value(text, value);
+            writer.value(value);
         }
     }
 }
@@ -80,16 +82,16 @@ pub(super) fn read(fields: &mut Fields, law: &Law) -> Option<Data> {
         DataKind::Ordinates => {
             let mut ordinates = Vec::new();
             fields.take('o').then_some(())?;
-            while fields.0.starts_with(['_', '-']) {
+            while fields.rest.starts_with(['_', '-']) {
                 let [s] = fields.values([None].into_iter())?;
                 ordinates.push(s);
             }
             Some(Data::Ordinates(ordinates))
         }
         DataKind::Expression => {
-            let (expression, rest) = fields.0.strip_prefix('f')?.split_once('.')?;
-            fields.0 = rest;
-            Some(Data::Expression(title::read(expression)?))
+            let (expression, rest) = fields.rest.strip_prefix('f')?.split_once('.')?;
+            fields.rest = rest;
+            Some(Data::Expression(title::read(expression, fields.version)?))
         }
     }
 }

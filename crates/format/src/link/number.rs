@@ -1,5 +1,7 @@
 //! Numbers in a link: the shortest decimal digits that read back exactly, in the shorter of two forms.
 
+use super::base_62::{DIGITS, value_of};
+
 /// Writes a number that is not negative: `35`, `.05`, `12.5`, or with a power of ten where that is shorter: `12e6`, `5e-9`.
 ///
 /// The digits are the fewest that read back as the same `f64` (as Rust's `{:e}` gives them).
@@ -28,7 +30,6 @@ fn plain(digits: &str, power: i32) -> String {
 
 /// A number in base 62 (0–9, A–Z, a–z), in so many digits.
 pub(super) fn base_62(mut value: u32, length: usize) -> String {
-    const DIGITS: &[u8; 62] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
     let mut digits = vec!['0'; length];
     for digit in digits.iter_mut().rev() {
         *digit = char::from(DIGITS[(value % 62) as usize]);
@@ -39,15 +40,7 @@ pub(super) fn base_62(mut value: u32, length: usize) -> String {
 
 /// The number that base-62 digits stand for; none when one of them is not a digit, or there are too many.
 pub(super) fn from_base_62(digits: &str) -> Option<u32> {
-    digits.chars().try_fold(0_u32, |value, digit| {
-        let digit = match digit {
-            '0'..='9' => digit as u32 - '0' as u32,
-            'A'..='Z' => digit as u32 - 'A' as u32 + 10,
-            'a'..='z' => digit as u32 - 'a' as u32 + 36,
-            _ => return None,
-        };
-        value.checked_mul(62)?.checked_add(digit)
-    })
+    digits.chars().try_fold(0_u32, |value, digit| value.checked_mul(62)?.checked_add(value_of(digit)?))
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! Claims about links.
 
-use super::{LinkError, decode, encode, within};
+use super::{LinkError, decode, encode, open};
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::testing::{self, Random};
-use crate::{Design, Notation, Problem, ProgramRefusal, SegmentDesign, example};
+use crate::{DataRefusal, Design, Notation, Problem, ProgramRefusal, SegmentDesign, Version, example};
 use levalab_core::Law;
+use levalab_core::law::Data;
 use proptest::prelude::*;
 
 fn segment(id: &str, beta: f64, rise: f64) -> SegmentDesign {
@@ -102,7 +103,7 @@ fn a_design_too_long_for_a_link_says_so() {
     }
     let refusal = encode(&design).expect_err("too long");
     assert!(refusal.found > MAX_LINK_MADE && refusal.limit == MAX_LINK_MADE);
-    assert_eq!(decode(&super::write(&design)), Ok(design), "it opens all the same");
+    assert_eq!(decode(&super::write(&design, design.version(), None)), Ok(design), "it opens all the same");
 }
 
 #[test]
@@ -113,7 +114,9 @@ fn each_refusal_has_its_own_reason() {
     assert_eq!(decode("1.á"), Err(LinkError::Character { found: 'á', position: 3 }));
     assert_eq!(decode(&good[..good.len() - 1]), Err(LinkError::Damaged));
     assert_eq!(decode(&good.replace("R35", "R36")), Err(LinkError::Damaged));
-    assert_eq!(decode(&sealed("2.anything")), Err(LinkError::Version { found: "2".to_owned() }));
+    assert_eq!(decode(&sealed("3.anything")), Err(LinkError::Version { found: "3".to_owned() }));
+    assert_eq!(decode(&sealed("3.~other characters")), Err(LinkError::Version { found: "3".to_owned() }));
+    assert_eq!(decode(&sealed("1.~a")), Err(LinkError::Character { found: '~', position: 3 }));
     assert_eq!(decode(&sealed("1.a.Z35D360")), Err(LinkError::Unreadable));
     assert_eq!(decode(&sealed("1.a")), Err(LinkError::Unreadable));
     let refused = decode(&sealed("1.a.R35_7D350")).expect_err("ten degrees short");
@@ -150,19 +153,166 @@ fn numbers_out_of_range_are_refused() {
     }
 }
 
+/// The example 9RT with one table for all of its segments.
+fn tabled(points: Vec<[f64; 2]>) -> Design {
+    let mut design = example("9RT").expect("9RT");
+    design.title = "Measured cam".to_owned();
+    let table = SegmentDesign { data: Data::Points(points), ..segment("table", 360.0, 0.0) };
+    design.segments = vec![table];
+    design
+}
+
+/// A cosine in steps of a degree, with some noise, at four decimals.
+fn degree_by_degree(noise: f64) -> Vec<[f64; 2]> {
+    let mut random = Random::new(1);
+    let point = |k: u32| {
+        let s = 12.5 * (1.0 - f64::from(k).to_radians().cos()) + random.between(0.0, noise);
+        [f64::from(k), if k.is_multiple_of(360) { 0.0 } else { (s * 1e4).round() / 1e4 }]
+    };
+    (0..=360).map(point).collect()
+}
+
 #[test]
-fn a_link_is_found_within_what_people_paste() {
-    for text in ["1.a.b", "#1.a.b", " 1.a.b\n", "https://example.org/cams/#1.a.b", "file:///C:/cams/index.html?x#1.a.b"]
-    {
-        assert_eq!(within(text), "1.a.b");
+fn a_table_of_361_points_is_shared_by_a_link_that_a_qr_code_carries() {
+    // A QR code of version 40 carries 2,953 bytes at level L.
+    const QR_CODE: usize = 2953;
+    for noise in [0.0, 0.001, 0.02] {
+        let design = tabled(degree_by_degree(noise));
+        let link = encode(&design).expect("short");
+        assert!(link.starts_with("2.Measured-scam.R35-p7L360.t"), "{link}");
+        assert!(link.len() <= 1800, "{} characters with noise of {noise}", link.len());
+        let address = format!("https://levalab.example.org/cams/#{link}");
+        assert!(address.len() <= QR_CODE);
+        assert_eq!(open(&address).map(|opened| opened.design), Ok(design), "{link}");
     }
+}
+
+#[test]
+fn the_links_of_the_documentation_are_published_ones() {
+    let published = include_str!("../../tests/published-links.txt");
+    let text = include_str!("../../../../docs/design-format.md");
+    let links: Vec<&str> = text.lines().filter(|line| line.starts_with("1.") || line.starts_with("2.")).collect();
+    assert_eq!(links.iter().map(|link| &link[..2]).collect::<Vec<_>>(), ["1.", "2."]);
+    for link in links {
+        assert!(published.lines().any(|line| line.ends_with(&format!(" {link}"))), "{link}");
+    }
+}
+
+#[test]
+fn version_1_is_written_whenever_it_can_say_the_design() {
+    let design = tabled(degree_by_degree(0.0).into_iter().step_by(10).collect());
+    let link = encode(&design).expect("short");
+    assert!(link.starts_with("1.Measured_cam.R35_7L360p0p10_.1899p20"), "{link}");
+    let second = super::write(&design, Version::Two, None);
+    assert!(second.starts_with("2.Measured-scam.R35-p7L360.t"), "{second}");
+    assert_eq!(decode(&second), Err(LinkError::Unreadable), "one design, one link");
+}
+
+#[test]
+fn a_design_that_is_too_long_for_version_1_has_a_link_of_version_2() {
+    let mut points = degree_by_degree(0.0);
+    points.truncate(121);
+    for (k, point) in points.iter_mut().enumerate() {
+        *point = [3.0 * k as f64, if k == 0 || k == 120 { 0.0 } else { point[1] + 1e-11 * k as f64 + 0.123_456_789 }];
+        point[1] = (point[1] * 1e11).round() / 1e11;
+    }
+    let design = tabled(points);
+    assert_eq!(design.version(), Version::One, "its file is of version 1");
+    let first = super::write(&design, Version::One, None);
+    assert!(first.len() > MAX_LINK_MADE, "{}", first.len());
+    let link = encode(&design).expect("short");
+    assert!(link.starts_with("2.") && link.len() < 1000, "{link}");
+    assert_eq!(decode(&link).as_ref(), Ok(&design));
+    assert_eq!(decode(&first), Ok(design), "links of version 1 open as they did");
+}
+
+#[test]
+fn a_table_too_long_for_version_1_is_refused_there_as_it_was() {
+    let text = super::write(&tabled(degree_by_degree(0.0)), Version::One, None);
+    let refused = decode(&text).expect_err("361 points");
+    let expected = Problem::Data(DataRefusal::WrongCount { found: 361, min: 2, max: 128 });
+    assert!(matches!(&refused, LinkError::Design(error) if error.problem == expected), "{refused:?}");
+}
+
+#[test]
+fn the_packing_of_a_table_may_change_but_nothing_else() {
+    let design = tabled(degree_by_degree(0.001));
+    let link = encode(&design).expect("short");
+    let (fields, _) = link.rsplit_once('.').expect("a checksum");
+    let (fields, body) = fields.rsplit_once(".t").expect("a section");
+    let bytes = super::tables::unpack(body).expect("packed");
+    let stored =
+        [[1, bytes.len() as u8, (bytes.len() >> 8) as u8].as_slice(), &(!bytes.len() as u16).to_le_bytes(), &bytes]
+            .concat();
+    let other = super::base_62::to_base_62(&stored);
+    assert_eq!(decode(&sealed(&format!("{fields}.t{other}"))), Ok(design), "the same bytes, not packed at all");
+
+    for broken in [
+        format!("{fields}.t{body}0"),
+        format!("{fields}.t"),
+        format!("{fields}.t{body}.t{body}"),
+        format!("{fields}L90.t{body}"),
+        fields.to_owned(),
+        format!("{fields}.t{}", super::tables::pack(&[bytes.as_slice(), &bytes].concat())),
+        format!("{fields}.t{}", super::tables::pack(&bytes[..bytes.len() - 1])),
+        format!("{}.t{body}", fields.replace("-s", "_")),
+        format!("{}.t{body}", fields.replace("-s", "-0W")),
+        format!("{}.t{body}", fields.replace("-p7", "_7")),
+    ] {
+        let refused = decode(&sealed(&broken)).expect_err(&broken);
+        assert!(matches!(refused, LinkError::Unreadable | LinkError::Design(_)), "{refused:?}: {broken}");
+    }
+}
+
+#[test]
+fn what_only_a_newer_program_knows_is_said_to_be_newer() {
+    let link = encode(&tabled(degree_by_degree(0.0))).expect("short");
+    let (covered, _) = link.rsplit_once('.').expect("a checksum");
+    let (fields, tables) = covered.split_once(".t").expect("a section");
+    for (text, part) in [
+        (format!("{fields}.d.5x-p3.t{tables}"), "d"),
+        (format!("{covered}.z"), "z"),
+        (covered.replace("L360", "Zz360"), "Zz"),
+        (covered.replace(".R35", ".Y35"), "Y"),
+    ] {
+        assert_eq!(decode(&sealed(&text)), Err(LinkError::Newer { found: part.to_owned() }), "{text}");
+    }
+    assert_eq!(decode(&sealed("1.a.Y35_7D360")), Err(LinkError::Unreadable), "version 1 has no newer parts");
+    assert_eq!(decode(&sealed("1.a.R35_7D360.z")), Err(LinkError::Unreadable));
+    assert_eq!(decode(&sealed("2.a.R35-p7D360.")), Err(LinkError::Unreadable));
+    assert_eq!(decode(&sealed("2.a.R35-p7D360.T1")), Err(LinkError::Unreadable));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+    #[test]
+    fn every_design_with_a_long_table_comes_back_from_its_link_and_its_file(seed in any::<u64>()) {
+        let design = testing::long_design(&mut Random::new(seed));
+        let link = super::write(&design, Version::Two, None);
+        prop_assert!(link.starts_with("2.") && !link.contains('_'));
+        if link.len() <= MAX_LINK_OPENED {
+            prop_assert_eq!(decode(&link), Ok(design.clone()), "{}", link);
+        }
+        prop_assert_eq!(Design::from_json(&design.to_json()), Ok(design));
+    }
+
 }
 
 proptest! {
     #[test]
+    fn any_sealed_text_of_version_2_is_refused_and_not_a_panic(
+        text in "2\\.[a-z-]{0,3}\\.(R35-p7|A1e3|O2-3)[a-z0-9.-]{0,9}(L360|F9fx\\.|D360|C1-p2)?(\\.t[A-Za-z0-9]{0,30}){0,2}",
+    ) {
+        let link = sealed(&text);
+        if let Ok(design) = decode(&link) {
+            prop_assert_eq!(encode(&design), Ok(link));
+        }
+    }
+
+    #[test]
     fn every_design_comes_back_from_its_link_and_its_file(seed in any::<u64>()) {
         let design = testing::design(&mut Random::new(seed));
-        let link = super::write(&design);
+        let link = super::write(&design, design.version(), None);
         prop_assert!(link.chars().all(super::is_of_a_link) && link.ends_with(|c: char| c.is_ascii_alphanumeric()));
         prop_assert_eq!(decode(&link), Ok(design.clone()), "{}", link);
         prop_assert_eq!(Design::from_json(&design.to_json()), Ok(design.clone()));

@@ -26,6 +26,24 @@ pub fn design(random: &mut Random) -> Design {
     }
 }
 
+/// A random design with a table that version 1 does not hold: measured or smooth, at few decimals or at all of them.
+#[must_use]
+pub fn long_design(random: &mut Random) -> Design {
+    loop {
+        let mut design = design(random);
+        let decimals = random.below(8) as i32;
+        let table = design.segments.iter_mut().find_map(|segment| match &mut segment.data {
+            Data::Points(points) => Some((segment.beta, points)),
+            _ => None,
+        });
+        let Some((beta, points)) = table else { continue };
+        *points = motion::measured(random, decimals, beta, points);
+        if design.cam().is_ok() {
+            return design;
+        }
+    }
+}
+
 fn candidate(random: &mut Random) -> Design {
     let follower = *random.pick(FOLLOWERS);
     // Most cams are of a hand's size; some are at the ends of what is allowed.

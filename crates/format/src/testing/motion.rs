@@ -3,10 +3,11 @@
 use super::random::{Decimals, Random, tidy};
 use crate::SegmentDesign;
 use crate::data;
-use crate::limits::MAX_SEGMENTS;
+use crate::limits::{MAX_SEGMENTS, MAX_TABLE_POINTS_OF_VERSION_1};
 use crate::measure::default_of;
 use levalab_core::law::{Condition, Data, DataKind, MAX_LAW_PARAMETERS, usual_knots};
 use levalab_core::{LAWS, Law, Quantity};
+use std::f64::consts::TAU;
 
 pub(super) fn segments(random: &mut Random, decimals: Decimals, travel: f64, cycle: f64) -> Vec<SegmentDesign> {
     let count = if random.once_in(20) { 1 + random.below(MAX_SEGMENTS) } else { 2 + random.below(11) };
@@ -101,6 +102,24 @@ fn data_of(random: &mut Random, decimals: Decimals, kind: DataKind, (beta, start
             Data::Expression(random.pick(&texts).clone())
         }
     }
+}
+
+/// A table with more points between the same ends: a cosine with as much noise as its last decimal, or none.
+pub(super) fn measured(random: &mut Random, decimals: i32, beta: f64, ends: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let (Some(first), Some(last)) = (ends.first(), ends.last()) else { return Vec::new() };
+    let (start, end) = (first[1], last[1]);
+    let count = MAX_TABLE_POINTS_OF_VERSION_1 + 1 + random.below(300);
+    let lift = random.between(0.0, 20.0);
+    let unit = 10_f64.powi(decimals);
+    let noise = if random.once_in(2) { 2.0 / unit } else { 0.0 };
+    let point = |k: usize| {
+        let x = k as f64 / (count - 1) as f64;
+        let height = start + (end - start) * x + lift * (1.0 - (TAU * x).cos()) + random.between(0.0, noise);
+        [tidy(beta * x), ((height * unit).round() / unit).max(0.0)]
+    };
+    let mut points: Vec<[f64; 2]> = (0..count).map(point).collect();
+    (points[0], points[count - 1]) = ([0.0, start], [beta, end]);
+    points
 }
 
 /// A spline with knots of its own, near those that it would take unless told.

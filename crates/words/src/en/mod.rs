@@ -138,9 +138,19 @@ impl Voice for English {
             LinkError::Version { found } => {
                 format!("The link is of version {}, which is newer than this program.", quoted(found))
             }
+            LinkError::Newer { found } => {
+                format!(
+                    "The link was made by a newer version of LevaLab: its part {} is not known here.",
+                    quoted(found)
+                )
+            }
             LinkError::Unreadable => "The link is whole, but it is not a design that this program can read.".to_owned(),
             LinkError::Design(error) => self.problem(&error.problem),
         }
+    }
+
+    fn link_from_query(&self) -> &'static str {
+        "The link came behind “?” instead of “#”, so the design did reach the server of this page. The address now holds it behind “#”, which stays in the browser."
     }
 
     fn too_long(&self, TooLong { found, limit }: TooLong) -> String {

@@ -28,6 +28,9 @@ pub(super) fn problem(problem: &Problem) -> String {
             [only] => format!("{} is not known here; it can only be {only}.", quoted(found)),
             _ => format!("{} is none of the choices: {}.", quoted(found), expected.join(", ")),
         },
+        Problem::NewerFormat { found } => {
+            format!("The file is {}, made by a newer version of LevaLab.", quoted(found))
+        }
         Problem::OutOfRange { found, min, max, measure } => {
             let [found, min, max] = [found, min, max].map(|value| measured(*value, *measure, EN));
             format!("{found} is out of range: it must be from {min} to {max}.")
@@ -78,6 +81,9 @@ fn program(refusal: ProgramRefusal) -> String {
         ProgramRefusal::NoSegments => "There are no segments; at least one is needed.".to_owned(),
         ProgramRefusal::TooManySegments { found, limit } => {
             format!("There are {found} segments; there is room for {limit}.")
+        }
+        ProgramRefusal::TooManyPoints { found, limit } => {
+            format!("The tables have {found} points in all; there is room for {limit}.")
         }
         ProgramRefusal::DwellRises { found, measure } => {
             format!("A dwell cannot rise, and this one rises {}.", measured(found, measure, EN))

@@ -149,11 +149,21 @@ impl Voice for Spanish {
             LinkError::Version { found } => {
                 format!("El enlace es de la versión {}, más nueva que este programa.", quoted(found))
             }
+            LinkError::Newer { found } => {
+                format!(
+                    "El enlace se hizo con una versión más nueva de LevaLab: aquí no se conoce su parte {}.",
+                    quoted(found)
+                )
+            }
             LinkError::Unreadable => {
                 "El enlace está entero, pero no es un diseño que este programa sepa leer.".to_owned()
             }
             LinkError::Design(error) => self.problem(&error.problem),
         }
+    }
+
+    fn link_from_query(&self) -> &'static str {
+        "El enlace venía detrás de «?» y no de «#», así que el diseño sí llegó al servidor de esta página. Ahora la dirección lo lleva detrás de «#», que no sale del navegador."
     }
 
     fn too_long(&self, TooLong { found, limit }: TooLong) -> String {

@@ -28,6 +28,9 @@ pub(super) fn problem(problem: &Problem) -> String {
             [only] => format!("{} no se conoce; aquí solo vale {only}.", quoted(found)),
             _ => format!("{} no es ninguna de las opciones: {}.", quoted(found), expected.join(", ")),
         },
+        Problem::NewerFormat { found } => {
+            format!("El archivo es {}, hecho con una versión más nueva de LevaLab.", quoted(found))
+        }
         Problem::OutOfRange { found, min, max, measure } => {
             let [found, min, max] = [found, min, max].map(|value| measured(*value, *measure, ES));
             format!("{found} está fuera de rango: tiene que ser de {min} a {max}.")
@@ -79,6 +82,9 @@ fn program(refusal: ProgramRefusal) -> String {
     match refusal {
         ProgramRefusal::NoSegments => "No hay tramos, y hace falta al menos uno.".to_owned(),
         ProgramRefusal::TooManySegments { found, limit } => format!("Hay {found} tramos y no caben más de {limit}."),
+        ProgramRefusal::TooManyPoints { found, limit } => {
+            format!("Las tablas tienen {found} puntos en total y no caben más de {limit}.")
+        }
         ProgramRefusal::DwellRises { found, measure } => {
             format!("Un detenimiento no puede subir, y este sube {}.", measured(found, measure, ES))
         }

@@ -28,8 +28,9 @@ pub const LAW: Law = Law {
     shape: Shape::Free(Free { data: DataKind::Points, first: few, solve: pieces }),
 };
 
-/// Most points: with more of them the jerk, which goes with the cube of their number, would drown in rounding.
-pub const MAX_POINTS: usize = 128;
+/// Most points. The rounding of heights appears in the jerk multiplied by the cube of their number: at the limit, in a table of a whole
+/// turn, some 10⁻⁷ of the lift per radian³, which is below the last digit of anything measured.
+pub const MAX_POINTS: usize = 1024;
 
 /// Points closer than this part of β are one.
 const CLOSEST: f64 = 1e-6;

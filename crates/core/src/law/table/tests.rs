@@ -199,3 +199,17 @@ fn tables_that_make_no_curve_are_refused() {
         DataProblem::NotAtEnd { item: 1, found: 1.5, expected: 2.0, beta: 2.0 }
     );
 }
+
+#[test]
+fn the_jerk_of_the_largest_table_is_not_drowned_in_rounding() {
+    let points: Vec<[f64; 2]> = (0..MAX_POINTS)
+        .map(|k| TAU * k as f64 / (MAX_POINTS - 1) as f64)
+        .map(|at| [at, 0.5 * (1.0 - at.cos())])
+        .collect();
+    let pieces = solved(points, true, false);
+    for piece in &pieces {
+        let x = 0.5 * (piece.until - piece.span) + 0.5 * piece.until;
+        let jerk = piece.at(x).j / TAU.powi(3);
+        assert!((jerk + 0.5 * (TAU * x).sin()).abs() < 1e-6, "jerk {jerk} at {x}");
+    }
+}

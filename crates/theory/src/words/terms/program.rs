@@ -148,8 +148,8 @@ pub(super) const TERMS: &[Term] = &[
         name: two("Table of points", "Tabla de puntos"),
         unit: two("degrees and length", "grados y longitud"),
         text: two(
-            "Measured angles from the start of the segment, with their heights. They can be pasted from a spreadsheet.",
-            "Ángulos medidos desde el comienzo del tramo, con sus alturas. Se pueden pegar desde una hoja de cálculo.",
+            "Measured angles from the start of the segment, with their heights. They can be pasted from a spreadsheet or a cam editor, or opened as a file; more points than are needed are reduced within a residual that you choose.",
+            "Ángulos medidos desde el comienzo del tramo, con sus alturas. Se pueden pegar desde una hoja de cálculo o un editor de levas, o abrir como archivo; si hay más puntos de los necesarios, se reducen con el residuo que usted elija.",
         ),
         theory: "table",
         ..PLAIN
