@@ -2,14 +2,17 @@
 
 use crate::extreme::root;
 use crate::{Form, Svaj};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Places of a stretch at which a derivative is looked at for changes of its sign.
 const LOOKS: usize = 240;
 
-/// Parts between the places at which the size of a curve is taken: with a degree of 8 at most and waves of a period or less it cannot
-/// vanish at all of them, unless it is zero.
+/// Parts, for each period of its fastest wave, between the places at which the size of a curve is taken: with a degree of 8 at most it
+/// cannot vanish at all of them, unless it is zero.
 const CURVE_PARTS: usize = 8;
+
+/// A wave longer than a period by less than this part of it has one period: the rest is rounding.
+const PERIOD_TOLERANCE: f64 = 1e-9;
 
 /// What is smaller beside the greatest value of a derivative is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -39,6 +42,14 @@ impl Stretch {
         Svaj::new(y.s, y.v * k, y.a * k2, y.j * (k2 * k))
     }
 
+    /// The number of periods of its fastest wave that it spans, rounded up; 1 for a curve without waves. As many times more places are
+    /// needed to see its extremes.
+    pub(crate) fn periods(&self) -> usize {
+        let Form::Curve(curve) = &self.curve else { return 1 };
+        let turned = curve.highest_frequency() * ((self.to - self.from) * self.per_beta).abs();
+        ((turned / TAU - PERIOD_TOLERANCE).ceil() as usize).max(1)
+    }
+
     /// The error of rounding of a derivative at the ends of the stretch: of heights of a size over so short a stretch, as a spline of many
     /// points has, or of the operations of a formula.
     pub(crate) fn rounding(&self, height: f64, order: usize) -> f64 {
@@ -60,7 +71,7 @@ impl Stretch {
         let parts = match &self.curve {
             Form::Formula(formula) => return std::array::from_fn(|order| in_theta(order, formula.range(order))),
             Form::Curve(_) if self.is_still() => 1,
-            Form::Curve(_) => CURVE_PARTS,
+            Form::Curve(_) => CURVE_PARTS * self.periods(),
             // Ehlich and Zeller (1964): a polynomial of degree n is nowhere larger than sec(π/4) times its largest value at these places.
             Form::Series(series) => (2 * series.degree()).max(1),
         };
@@ -125,7 +136,11 @@ impl Stretch {
     #[must_use]
     pub fn zeros(&self, order: usize) -> Vec<f64> {
         let at = |theta: f64| self.at(theta).order(order);
-        let along: Vec<(f64, f64)> = self.places_and_steps(LOOKS).into_iter().map(|theta| (theta, at(theta))).collect();
+        let along: Vec<(f64, f64)> = self
+            .places_and_steps(LOOKS.max(CURVE_PARTS * self.periods()))
+            .into_iter()
+            .map(|theta| (theta, at(theta)))
+            .collect();
         let floor = match &self.curve {
             // Beside a narrow feature, which is steep, all the others are small.
             Form::Formula(formula) => formula.rounding(order) * self.per_beta.powi(order as i32),
