@@ -121,7 +121,7 @@ fn judge(file: &str, language: Language) -> Judged {
 fn application(design: &Design, cam: &Cam, language: Language) -> String {
     let Some(set) = &design.application else { return String::new() };
     let outcome = set.outcome(design, cam, &Analysis::of(cam, 1));
-    let head = levalab_words::application_title(language, set.application.id);
+    let head = levalab_words::application_title(language, set.application);
     let sentences = levalab_words::outcome(language, design, &outcome);
     sentences.iter().fold(format!("{head}:\n"), |text, sentence| text + &format!("  {sentence}\n"))
 }

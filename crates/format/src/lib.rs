@@ -15,8 +15,8 @@
 //! # Ok::<(), levalab_format::DesignError>(())
 //! ```
 //!
-//! Both formats are versioned, and every version ever published keeps opening. Laws and followers are those that the core
-//! lists; the only thing to add here for a new one is its letter in the link ([`link::LAW_CODES`]).
+//! Both formats are versioned, and every version ever published keeps opening. Laws, followers and applications are those that
+//! the core lists, and their codes in a link are in `levalab-catalogue`: a new one needs nothing here.
 //!
 //! Not here: words for people, files on disk.
 

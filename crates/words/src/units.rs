@@ -1,6 +1,7 @@
 //! The units that a sentence needs.
 
-use crate::{Language, numbers};
+use crate::Language;
+use levalab_catalogue::numbers;
 use levalab_format::{Design, LengthUnit, MotionUnits};
 
 /// The units of a design, and with respect to what its derivatives are written.

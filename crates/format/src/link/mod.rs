@@ -20,8 +20,6 @@ mod number;
 mod reader;
 mod title;
 
-pub use codes::{FOLLOWER_CODES, LAW_CODES};
-
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};
 use crate::measure::default_of;
 use crate::{BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Speed, SpeedUnit};

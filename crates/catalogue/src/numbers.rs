@@ -12,7 +12,7 @@ const MINUS: char = '−';
 const PLAIN: std::ops::Range<i32> = -4..7;
 
 /// A number with so many significant digits at most, and no zeros at the end.
-pub(crate) fn significant(value: f64, digits: usize, sign: char) -> String {
+pub fn significant(value: f64, digits: usize, sign: char) -> String {
     if value == 0.0 || !value.is_finite() {
         return fixed(value, 0, sign);
     }
@@ -57,7 +57,7 @@ fn pointed(digits: &str, exponent: i32) -> String {
 }
 
 /// A number with so many decimals at most, and no zeros at the end.
-pub(crate) fn fixed(value: f64, decimals: usize, sign: char) -> String {
+pub fn fixed(value: f64, decimals: usize, sign: char) -> String {
     if value.is_nan() {
         return "–".to_owned();
     }
@@ -66,7 +66,7 @@ pub(crate) fn fixed(value: f64, decimals: usize, sign: char) -> String {
 }
 
 /// A number told beside a limit: with as many decimals, one or more, as it takes to tell them apart.
-pub(crate) fn beside(value: f64, limit: f64, sign: char) -> String {
+pub fn beside(value: f64, limit: f64, sign: char) -> String {
     const MOST: usize = 6;
     let decimals = (1..MOST).find(|&decimals| fixed(value, decimals, sign) != fixed(limit, decimals, sign));
     fixed(value, decimals.unwrap_or(MOST), sign)
