@@ -110,8 +110,8 @@ pub const FOLLOWERS: &[FollowerRow] = &[
             menu: two("Translating curved face", "De traslación con cara curva"),
         },
         idea: two(
-            "A mushroom: an arc of radius $R_f$ that slides on the cam. Its profile is that of a roller of the same radius; what differs is that it slides instead of rolling.",
-            "Una seta: un arco de radio $R_f$ que desliza sobre la leva. Su perfil es el de un rodillo del mismo radio; la diferencia es que desliza en lugar de rodar.",
+            "An arc of radius $R_f$ that slides on the cam, also called a mushroom. Its profile is that of a roller of the same radius; what differs is that it slides instead of rolling.",
+            "Un arco de radio $R_f$ que desliza sobre la leva, llamado también seta. Su perfil es el de un rodillo del mismo radio; la diferencia es que desliza en lugar de rodar.",
         ),
         construction: &["R_p = R_b + R_f, s_0 = sqrt(R_p^2 - e^2)", SLIDING_TRACE, PITCH],
         pressure_angle: SLIDING_ANGLE,

@@ -115,7 +115,7 @@ fn theory(pen: Pen, assets: &Assets) -> Body {
     };
     let entries =
         APPLICATIONS.iter().map(|row| entry("application", row.id, &row.name, row.idea, row.source)).collect();
-    chapter(two("What the follower drives", "Lo que mueve el seguidor"), entries, String::new(), "applications");
+    chapter(two("Applications", "Aplicaciones"), entries, String::new(), "applications");
     let entries = FINDINGS.iter().map(|row| entry("finding", row.id, &row.name, row.idea, row.source)).collect();
     chapter(two("What a verdict finds", "Lo que observa un veredicto"), entries, String::new(), "findings");
     Body { places, html }
