@@ -7,6 +7,9 @@ use std::f64::consts::{PI, TAU};
 /// Places of a stretch at which a derivative is looked at for changes of its sign.
 const LOOKS: usize = 240;
 
+/// Halvings of the step before an end at which a derivative is looked at too: one that leaves zero there may change its sign at once.
+const END_HALVINGS: i32 = 10;
+
 /// Parts, for each period of its fastest wave, between the places at which the size of a curve is taken: with a degree of 8 at most it
 /// cannot vanish at all of them, unless it is zero.
 const CURVE_PARTS: usize = 8;
@@ -136,11 +139,14 @@ impl Stretch {
     #[must_use]
     pub fn zeros(&self, order: usize) -> Vec<f64> {
         let at = |theta: f64| self.at(theta).order(order);
-        let along: Vec<(f64, f64)> = self
-            .places_and_steps(LOOKS.max(CURVE_PARTS * self.periods()))
-            .into_iter()
-            .map(|theta| (theta, at(theta)))
-            .collect();
+        let looks = LOOKS.max(CURVE_PARTS * self.periods());
+        let mut places = self.places_and_steps(looks);
+        let step = (self.to - self.from) / looks as f64;
+        places.extend(
+            (1..=END_HALVINGS).flat_map(|k| [self.from + step * 0.5_f64.powi(k), self.to - step * 0.5_f64.powi(k)]),
+        );
+        places.sort_by(f64::total_cmp);
+        let along: Vec<(f64, f64)> = places.into_iter().map(|theta| (theta, at(theta))).collect();
         let floor = match &self.curve {
             // Beside a narrow feature, which is steep, all the others are small.
             Form::Formula(formula) => formula.rounding(order) * self.per_beta.powi(order as i32),
@@ -167,5 +173,22 @@ impl Stretch {
     #[must_use]
     pub fn formula(&self) -> (&Form, f64, f64) {
         (&self.curve, self.origin, self.beta)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Curve;
+
+    #[test]
+    fn a_derivative_that_turns_just_inside_an_end_is_found() {
+        // a = 3x(2w − x): it leaves zero at the start and is zero again at 2w, nearer than a step of the search.
+        for w in [1e-3, 1e-4] {
+            let curve = Curve::polynomial(&[0.0, 0.0, 0.0, w, -0.25]).into();
+            let stretch = Stretch { from: 0.0, to: 1.0, segment: 0, origin: 0.0, beta: 1.0, per_beta: 1.0, curve };
+            let zeros = stretch.zeros(2);
+            assert!(zeros.len() == 1 && (zeros[0] - 2.0 * w).abs() < 1e-9, "{w}: {zeros:?}");
+        }
     }
 }
