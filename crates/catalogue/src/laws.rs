@@ -246,6 +246,33 @@ pub const LAWS: &[LawRow] = &[
         source: NORTON,
     },
     LawRow {
+        id: "freudenstein-1-3-5",
+        link: "W",
+        since: Version::Two,
+        name: Name {
+            noun: two("Freudenstein 1-3-5", "de Freudenstein 1-3-5"),
+            alone: two("Freudenstein 1-3-5", "Freudenstein 1-3-5"),
+            menu: two("Freudenstein 1-3-5", "Freudenstein 1-3-5"),
+        },
+        idea: two(
+            "A cycloidal with a third and a fifth harmonic, which flatten its acceleration: the peak falls from 6.28 to 5.06, and that of the velocity stays at 2.",
+            "Una cicloidal con un tercer y un quinto armónico, que aplanan su aceleración: el máximo baja de 6,28 a 5,06 y el de la velocidad sigue en 2.",
+        ),
+        advice: two(
+            "Between dwells, where the inertia force matters and few harmonics may reach the machine: it holds the first, the third and the fifth and no others. Its jerk jumps at the ends by more than that of the cycloidal.",
+            "Entre detenimientos, cuando importa la fuerza de inercia y a la máquina deben llegar pocos armónicos: contiene el primero, el tercero y el quinto, y ningún otro. Su sobreaceleración salta en los extremos más que la de la cicloidal.",
+        ),
+        formulas: &[
+            "y = x - (1125)/(2384π) (sin(2π x) + (sin(6π x))/54 + (sin(10π x))/1250)",
+            "y' = 1 - (1125)/1192 (cos(2π x) + (cos(6π x))/18 + (cos(10π x))/250)",
+            "y'' = (1125π)/596 (sin(2π x) + (sin(6π x))/6 + (sin(10π x))/50)",
+            "y''' = (1125π^2)/298 (cos(2π x) + (cos(6π x))/2 + (cos(10π x))/10)",
+        ],
+        source: Some(
+            "F. Freudenstein, On the dynamics of high-speed cam profiles, International Journal of Mechanical Sciences 1, 1960",
+        ),
+    },
+    LawRow {
         id: "polynomial-3-4-5",
         link: "Q",
         since: Version::One,
