@@ -49,6 +49,7 @@ pub mod report;
 pub mod testing;
 mod told;
 mod units;
+mod version;
 mod write;
 
 pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy};
@@ -68,4 +69,5 @@ pub use pair::{Conjugate, Room};
 pub use path::{Path, PathPart, quoted};
 pub use told::{ToldCure, ToldFinding, ToldVerdict};
 pub use units::{LengthUnit, MotionUnits, SpeedUnit};
+pub use version::needed_version;
 pub use write::FORMAT;
