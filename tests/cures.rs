@@ -45,7 +45,7 @@ fn with_laws(cam: &Cam, changes: &[(usize, &'static Law)]) -> Cam {
 }
 
 fn with_eccentricity(cam: &Cam, value: f64) -> Cam {
-    let index = cam.follower.kind.index_of("eccentricity").expect("only what has an eccentricity is cured by one");
+    let index = cam.follower.kind().index_of("eccentricity").expect("only what has an eccentricity is cured by one");
     Cam::new(cam.program.clone(), cam.follower.with_value(index, value).expect("a cure is a follower"))
 }
 
@@ -55,7 +55,7 @@ fn judge(cam: &Cam, before: &Analysis, finding: &Finding, cure: &Cure) -> Result
     match cure {
         Cure::NoSize { .. } => {}
         Cure::Length { key, value } => {
-            let index = cam.follower.kind.index_of(key).expect("a parameter of the follower");
+            let index = cam.follower.kind().index_of(key).expect("a parameter of the follower");
             let moved = cam.with_follower(cam.follower.with_value(index, *value).expect("a cure is a follower"));
             let left = analysis(&moved).findings.into_iter().find(blames_geometry);
             prop_assert!(left.is_none(), "{told} leaves {left:?}");
@@ -65,7 +65,7 @@ fn judge(cam: &Cam, before: &Analysis, finding: &Finding, cure: &Cure) -> Result
             let left = after.findings.iter().find(|finding| blames_geometry(finding));
             prop_assert!(left.is_none(), "{told} leaves {left:?}");
             // A dwelling cam is limited by nothing, and its smallest is next to nothing.
-            prop_assume!(*radius > VANISHED * cam.follower.base_radius);
+            prop_assume!(*radius > VANISHED * cam.follower.base_radius());
             let (smallest, largest) = believable_sizes(cam);
             prop_assert!((smallest..=largest).contains(radius), "{told}, which is not believable");
             // The smallest size that is believable may not be the smallest that passes.

@@ -56,12 +56,12 @@ fn theta(row: usize) -> f64 {
 
 /// i^σ as a number: a quarter turn in the cam's sense.
 fn quarter(cam: &Cam) -> Point {
-    Point::new(0.0, cam.follower.rotation.sigma())
+    Point::new(0.0, cam.follower.rotation().sigma())
 }
 
 /// e^(iσθ), from the cam's frame to the fixed one.
 fn to_fixed(cam: &Cam, row: usize) -> Point {
-    Point::from_polar(1.0, cam.follower.rotation.sigma() * theta(row))
+    Point::from_polar(1.0, cam.follower.rotation().sigma() * theta(row))
 }
 
 fn dot(a: Point, b: Point) -> f64 {
@@ -117,7 +117,7 @@ fn the_radius_of_curvature_is_that_of_the_profile_drawn() {
         let (points, rho) = (profile(&analysis), column(&analysis, Column::Rho));
         for row in rows_within_stretches(&cam) {
             let (first, second) = (slope(|k| points[k], row), bend(|k| points[k], row));
-            let curvature = -cam.follower.rotation.sigma() * cross(first, second) / first.norm().powi(3);
+            let curvature = -cam.follower.rotation().sigma() * cross(first, second) / first.norm().powi(3);
             // Curvature and not radius is compared, since the radius runs to infinity where the profile straightens; where
             // the contact dwells on a tight profile, first is short and the scale is its own curvature.
             let scale = (1.0 / rho[row]).abs().max(1.0 / first.norm());
@@ -150,7 +150,7 @@ fn the_pitch_curve_is_one_radius_out_from_the_profile() {
 /// The point of the follower that is at `point` (fixed frame) at row `from`, carried along by the motion column to row `to`.
 fn carried(cam: &Cam, s: &[f64], point: Point, from: usize, to: usize) -> Point {
     let travel = s[to] - s[from];
-    match cam.follower.body {
+    match cam.follower.body() {
         Body::Slide => point + Point::new(0.0, travel),
         Body::Swing { pivot } => pivot + (point - pivot) * Point::from_polar(1.0, -travel),
     }
@@ -175,7 +175,7 @@ fn the_pressure_angle_lies_between_the_normal_and_the_velocity_of_the_follower()
             };
             let (forward, normal) =
                 (velocity * v[row].signum(), normal_of_profile(&cam, &points, row) * to_fixed(&cam, row));
-            let angle = cam.follower.rotation.sigma() * cross(forward, normal).atan2(dot(forward, normal));
+            let angle = cam.follower.rotation().sigma() * cross(forward, normal).atan2(dot(forward, normal));
             assert!((angle - angles[row]).abs() < 100.0 * SLOPE, "{name} at row {row}: {angle}, not {}", angles[row]);
         }
     }
@@ -195,7 +195,7 @@ fn the_contact_of_a_translating_face_walks_by_the_velocity() {
                 "{name} at row {row}: the offset is where the contact is"
             );
             if lean == 0.0 {
-                let walked = cam.follower.rotation.sigma() * v[row];
+                let walked = cam.follower.rotation().sigma() * v[row];
                 assert!((contact[row] - walked).abs() < ROUNDING * 200.0, "{name} at row {row}: σ·v");
             }
         }
@@ -208,7 +208,7 @@ fn the_contact_of_an_oscillating_face_is_measured_from_the_foot_of_its_pivot() {
         let analysis = Analysis::of(&cam, STEPS);
         let contact = column(&analysis, Column::Contact);
         let points = profile(&analysis);
-        let Body::Swing { pivot } = cam.follower.body else { panic!("{name} swings") };
+        let Body::Swing { pivot } = cam.follower.body() else { panic!("{name} swings") };
         let offset = cam.follower.value("face_offset").unwrap_or(0.0);
         for row in rows_within_stretches(&cam) {
             let (turn, normal) = (to_fixed(&cam, row), normal_of_profile(&cam, &points, row));

@@ -95,7 +95,7 @@ fn assert_summary(name: &str, cam: &Cam) {
         });
     }
     let rho = |theta: f64| cam.follower.profile_radius(cam.at(theta).1.bend);
-    match (cam.follower.element, &summary.rho_pitch, &summary.reach) {
+    match (cam.follower.element(), &summary.rho_pitch, &summary.reach) {
         (Element::Face { .. }, None, Some(found)) => {
             assert_extremes(&format!("{name}: reach"), found, reach);
             assert_places(name, &analysis, found, Column::Contact, |theta| cam.at(theta).1.reach);

@@ -32,9 +32,9 @@ fn least(values: &[f64]) -> f64 {
 
 /// The gap between an element carried by the body to displacement `s` at cam angle θ and a profile: 0 when it just touches.
 fn gap(cam: &Cam, element: Element, s: f64, theta: f64, profile: &[Point]) -> f64 {
-    let turn = Point::from_polar(1.0, cam.follower.rotation.sigma() * theta);
+    let turn = Point::from_polar(1.0, cam.follower.rotation().sigma() * theta);
     let fixed: Vec<Point> = profile.iter().map(|point| point * turn).collect();
-    let carry = |point: Point| match cam.follower.body {
+    let carry = |point: Point| match cam.follower.body() {
         Body::Slide => point + Point::new(0.0, s),
         Body::Swing { pivot } => pivot + (point - pivot) * Point::from_polar(1.0, -s),
     };
@@ -53,12 +53,14 @@ fn gap(cam: &Cam, element: Element, s: f64, theta: f64, profile: &[Point]) -> f6
 
 fn assert_pair_fits(name: &str, first: &Cam, second: &Cam) {
     let (one, two) = (profile(first), profile(second));
-    let size = first.follower.base_radius;
+    let size = first.follower.base_radius();
     for k in 0..72 {
         let theta = TAU * f64::from(k) / 72.0 + 0.01;
         let s = first.program.at(theta).s;
-        let gaps =
-            (gap(first, first.follower.element, s, theta, &one), gap(second, second.follower.element, s, theta, &two));
+        let gaps = (
+            gap(first, first.follower.element(), s, theta, &one),
+            gap(second, second.follower.element(), s, theta, &two),
+        );
         assert!(gaps.0.abs() < FIT * size && gaps.1.abs() < FIT * size, "{name} at {theta}: {gaps:?}");
     }
 }
@@ -129,7 +131,7 @@ fn both_elements_of_a_pair_touch_both_cams_all_the_way_round() {
             assert!(two.summary.s.min.abs() < 1e-12, "{name}: the second rests on its base circle");
             assert_eq!(two.level, one.level, "{name}: {:?}", two.findings);
             if let Tie::BaseRadius(radius) = tie {
-                assert!((second.follower.base_radius - radius).abs() < 1e-12);
+                assert!((second.follower.base_radius() - radius).abs() < 1e-12);
             }
         }
     }
@@ -160,7 +162,7 @@ fn example_7crt_has_its_conjugate_at_380() {
     let second = conjugate(&first, Tie::Distance(380.0), None).expect("a pair");
     assert!(second.program.segments()[0].rise < 0.0, "the conjugate starts with a return");
     // On the axis the second roller's centre is 380 − (Rp + s) away from the shaft.
-    assert!((second.follower.base_radius - (380.0 - 180.0 - 20.0 - 10.0)).abs() < 1e-12);
+    assert!((second.follower.base_radius() - (380.0 - 180.0 - 20.0 - 10.0)).abs() < 1e-12);
     assert_pair_fits("7CRT", &first, &second);
     // Half a turn later every rise is a return, and both base radii are 170: one cam would do.
     assert!(profiles_coincide(&first, &second));
@@ -232,7 +234,7 @@ fn a_cam_of_constant_diameter_keeps_two_rollers_apart() {
     let analysis = Analysis::of(&yoked, 720);
     assert_eq!(analysis.level, Level::Acceptable, "{:?}", analysis.findings);
     let points = profile(&yoked);
-    let Element::Disc { centre, radius } = yoked.follower.element else { panic!("a roller") };
+    let Element::Disc { centre, radius } = yoked.follower.element() else { panic!("a roller") };
     // The far roller hangs on the same yoke, 2Rp + smax below.
     let far = Element::Disc { centre: centre - Point::new(0.0, 2.0 * 48.0 + 20.0), radius };
     for k in 0..72 {
@@ -253,7 +255,7 @@ fn a_balanced_tie_makes_both_base_circles_alike_and_the_angle_of_a_pair_is_measu
         let first = cam(id, 90.0, &given, lengths(&rise_and_return(14.0)), Rotation::CounterClockwise);
         let tie = balanced_tie(&first, Tie::Distance(0.0)).expect(id);
         let second = conjugate(&first, tie, None).expect(id);
-        assert!((second.follower.base_radius - 90.0).abs() < 1e-9, "{id}: {}", second.follower.base_radius);
+        assert!((second.follower.base_radius() - 90.0).abs() < 1e-9, "{id}: {}", second.follower.base_radius());
         assert_eq!(angle_between(&first, &second), None, "{id}");
     }
     let swinging = [
@@ -264,7 +266,7 @@ fn a_balanced_tie_makes_both_base_circles_alike_and_the_angle_of_a_pair_is_measu
         let first = cam(id, 60.0, &given, degrees(&rise_and_return(9.0)), Rotation::Clockwise);
         let by_angle = balanced_tie(&first, Tie::Angle(0.0)).expect(id);
         let second = conjugate(&first, by_angle, None).expect(id);
-        assert!((second.follower.base_radius - 60.0).abs() < 1e-9, "{id}: {}", second.follower.base_radius);
+        assert!((second.follower.base_radius() - 60.0).abs() < 1e-9, "{id}: {}", second.follower.base_radius());
         assert!((angle_between(&first, &second).expect(id) - by_angle.value()).abs() < 1e-12, "{id}");
         assert_eq!(balanced_tie(&first, Tie::BaseRadius(0.0)), Some(Tie::BaseRadius(60.0)), "{id}");
     }

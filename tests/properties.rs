@@ -152,7 +152,7 @@ proptest! {
     #[test]
     fn a_cam_k_times_as_large_is_the_same_cam(cam in cam(), k in prop_oneof![Just(0.001), Just(25.4), 0.01..100.0]) {
         let large = scaled(&cam, k);
-        let lift = if cam.follower.kind.motion == Motion::Oscillating { 1.0 } else { k };
+        let lift = if cam.follower.kind().motion == Motion::Oscillating { 1.0 } else { k };
         let peaks = peaks(&cam);
         for theta in places() {
             let ((motion, contact), (motion_k, contact_k)) = (cam.at(theta), large.at(theta));
@@ -189,12 +189,12 @@ proptest! {
 
     #[test]
     fn clockwise_is_the_mirror_image_for_a_follower_that_slides(cam in cam()) {
-        prop_assume!(cam.follower.body == Body::Slide);
+        prop_assume!(cam.follower.body() == Body::Slide);
         // What lies to one side of the axis lies to the other in the mirror.
         let mut follower = turned_over(&cam.follower);
         for key in ["eccentricity", "face_angle"] {
-            if let Some(index) = follower.kind.index_of(key) {
-                follower = follower.with_value(index, -follower.values[index]).expect("as good as its mirror image");
+            if let Some(index) = follower.kind().index_of(key) {
+                follower = follower.with_value(index, -follower.values()[index]).expect("as good as its mirror image");
             }
         }
         let mirror = Cam::new(cam.program.clone(), follower);
@@ -213,7 +213,7 @@ proptest! {
 /// All lengths k times as large; angles as they are.
 fn scaled(cam: &Cam, k: f64) -> Cam {
     let follower = &cam.follower;
-    let rises = if follower.kind.motion == Motion::Oscillating { 1.0 } else { k };
+    let rises = if follower.kind().motion == Motion::Oscillating { 1.0 } else { k };
     let larger = |segment: &Segment| {
         let mut larger =
             Segment { rise: segment.rise * rises, data: segment.data.scaled(1.0, rises), ..segment.clone() };
@@ -223,17 +223,17 @@ fn scaled(cam: &Cam, k: f64) -> Cam {
         larger
     };
     let segments = cam.program.segments().iter().map(larger);
-    let mut values = follower.values;
-    for (value, parameter) in values.iter_mut().zip(follower.kind.parameters) {
+    let mut values = follower.values().to_vec();
+    for (value, parameter) in values.iter_mut().zip(follower.kind().parameters) {
         *value *= if parameter.quantity == Quantity::Length { k } else { 1.0 };
     }
-    let follower =
-        Follower::new(follower.kind, follower.base_radius * k, values, follower.rotation).expect("as good as before");
+    let follower = Follower::new(follower.kind(), follower.base_radius() * k, &values, follower.rotation())
+        .expect("as good as before");
     Cam::new(Program::new(&segments.collect::<Vec<_>>()).expect("as good as before"), follower)
 }
 
 fn turned_over(follower: &Follower) -> Follower {
-    Follower::new(follower.kind, follower.base_radius, follower.values, opposite(follower.rotation))
+    Follower::new(follower.kind(), follower.base_radius(), follower.values(), opposite(follower.rotation()))
         .expect("as good as before")
 }
 

@@ -23,14 +23,14 @@ const POSITIONS: usize = 31;
 /// How high the follower rests on a closed polygon of profile points (fixed frame), counted along its path: a length from the
 /// level of the cam's centre, or an angle from the line of centres. A follower rests as high as the highest point lifts it.
 fn resting_height(follower: &Follower, points: &[Point]) -> f64 {
-    let of = |key: &str| follower.value(key).unwrap_or_else(|| panic!("{} has no {key}", follower.kind.id));
+    let of = |key: &str| follower.value(key).unwrap_or_else(|| panic!("{} has no {key}", follower.kind().id));
     let pivot = || Point::from_polar(of("pivot_distance"), of("pivot_angle"));
     // Angle of a point about the pivot, clockwise from the line to the cam's centre, and its distance.
     let about = |pivot: Point, point: Point| {
         let seen = (point - pivot) / -pivot;
         (-seen.arg(), (point - pivot).norm())
     };
-    match follower.kind.id {
+    match follower.kind().id {
         "translating-roller" => lowered_disc(points, of("eccentricity"), of("roller_radius")),
         "translating-curved" => lowered_disc(points, of("eccentricity"), of("face_radius")),
         "translating-knife" => lowered_edge(points, of("eccentricity")),
@@ -115,13 +115,13 @@ fn base_circle(radius: f64) -> Vec<Point> {
 
 /// The greatest difference between the motion wanted and the motion recovered, as a part of the lift, and where.
 fn worst_recovery(cam: &Cam) -> (f64, f64) {
-    let rest = resting_height(&cam.follower, &base_circle(cam.follower.base_radius));
+    let rest = resting_height(&cam.follower, &base_circle(cam.follower.base_radius()));
     let points = polygon(cam);
     let lift = Analysis::of(cam, 720).summary.s.max;
     let mut worst = (0.0, 0.0);
     for k in 0..POSITIONS {
         let theta = TAU * k as f64 / POSITIONS as f64;
-        let found = resting_height(&cam.follower, &turned(&points, cam.follower.rotation, theta)) - rest;
+        let found = resting_height(&cam.follower, &turned(&points, cam.follower.rotation(), theta)) - rest;
         let miss = (found - cam.program.at(theta).s).abs() / lift;
         if miss > worst.0 || miss.is_nan() {
             worst = (miss, theta);
@@ -179,8 +179,8 @@ fn every_follower_can_be_laid_over_its_profile() {
 fn a_profile_that_is_a_little_wrong_is_noticed() {
     let (_, cam) = gallery_of("translating-roller").swap_remove(0);
     let swollen: Vec<Point> = polygon(&cam).iter().map(|point| point * (1.0 + 1e-5)).collect();
-    let rest = resting_height(&cam.follower, &base_circle(cam.follower.base_radius));
-    let found = resting_height(&cam.follower, &turned(&swollen, cam.follower.rotation, 2.0)) - rest;
+    let rest = resting_height(&cam.follower, &base_circle(cam.follower.base_radius()));
+    let found = resting_height(&cam.follower, &turned(&swollen, cam.follower.rotation(), 2.0)) - rest;
     assert!(
         (found - cam.program.at(2.0).s).abs() > RECOVERY * 12.0,
         "the test would see an error of a hundred-thousandth"

@@ -17,7 +17,7 @@ fn on_travel(rows: &[(&str, f64, f64)]) -> Program {
 
 fn wedge(rows: &[(&str, f64, f64)], radius: f64) -> Cam {
     let kind = FollowerKind::by_id("translating-roller").expect("roller");
-    Cam::new(on_travel(rows), Follower::on_travel(kind, [radius, 0.0, 0.0, 0.0]).expect("it rests"))
+    Cam::new(on_travel(rows), Follower::on_travel(kind, &[radius, 0.0, 0.0, 0.0]).expect("it rests"))
 }
 
 const ROWS: [(&str, f64, f64); 4] =
@@ -122,7 +122,7 @@ fn a_wedge_too_steep_is_cured_by_its_length() {
 #[test]
 fn what_cannot_ride_on_a_wedge_is_refused() {
     let refusal = |id: &str, values: [f64; 4]| {
-        let error = Follower::on_travel(FollowerKind::by_id(id).expect(id), values).expect_err(id);
+        let error = Follower::on_travel(FollowerKind::by_id(id).expect(id), &values).expect_err(id);
         (error.key, error.problem)
     };
     assert_eq!(refusal("translating-flat", [0.0; 4]), ("contact", GeometryProblem::Unsuited));

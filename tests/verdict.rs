@@ -164,7 +164,7 @@ fn each_undercut_is_worst_within_its_own_stretch() {
 
 fn refusal(id: &str, base_radius: f64, values: [f64; 4]) -> (&'static str, GeometryProblem) {
     let kind = FollowerKind::by_id(id).expect(id);
-    let error = Follower::new(kind, base_radius, values, Rotation::CounterClockwise)
+    let error = Follower::new(kind, base_radius, &values, Rotation::CounterClockwise)
         .expect_err("this cannot rest on its base circle");
     (error.key, error.problem)
 }

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import "../tests/module.js";
 import { asked, drawn, moved, placed, suggested, turned, turnedInto } from "./auto/demands.js";
 import { createList } from "./auto/list.js";
 import { round, stepped, steps, valueAt } from "./hand.js";

@@ -14,7 +14,7 @@ import { answer } from "./help-mark.js";
 import * as keys from "./keys.js";
 import { firstDesign, keepLink } from "./link.js";
 import * as mechanism from "./mechanism.js";
-import { createFormat } from "./numbers.js";
+import { connectNumbers, createFormat } from "./numbers.js";
 import { yieldPoster } from "./poster.js";
 import * as readouts from "./readouts.js";
 import { whenIdle } from "./rest.js";
@@ -51,6 +51,7 @@ async function start() {
   starting.catch(() => {});
   await learn(language());
   const engine = await starting;
+  connectNumbers(engine.module);
   const example = shelve(catalogue.first, t);
 
   store.connect({

@@ -2,7 +2,6 @@
  * A number of the design: label, field, unit, and what is wrong with it told beneath.
  *
  * @import { Design, ShellContext, State } from "./types.d.ts"
- * @import { NumberProblem } from "./numbers.js"
  */
 import { clean } from "./clean.js";
 import { h, hide, write as writeText } from "./dom.js";
@@ -11,9 +10,6 @@ import { notePending } from "./pending.js";
 import { factor, scrub } from "./scrub.js";
 
 let sessions = 0;
-
-/** Characters of what was typed that a complaint repeats. */
-const REPEATED = 24;
 
 /** Characters that a usual field has room for. */
 const ROOM = 7;
@@ -46,7 +42,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 
   /** @type {number | undefined} */
   let shown;
-  /** @type {{ text: string, problem: NumberProblem } | null} */
+  /** What was typed and could not be read. @type {string | null} */
   let pending = null;
   /** @type {number | undefined} */
   let before;
@@ -106,13 +102,11 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 
   function typed() {
     if (clear && input.value.trim() === "") return empty(session);
-    const reading = parseNumber(input.value, unit());
-    if (reading.problem) {
-      pending = { text: input.value, problem: reading.problem };
-    } else {
-      pending = null;
-      shown = reading.value;
-      change(reading.value, session);
+    const { value } = parseNumber(input.value, unit());
+    pending = value === undefined ? input.value : null;
+    if (value !== undefined) {
+      shown = value;
+      change(value, session);
     }
     update(store.state);
   }
@@ -128,7 +122,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
       change(clean(value + by), session);
       show(clean(value + by));
       update(store.state);
-    } else if (event.key === "Escape" && (pending || current() !== before)) {
+    } else if (event.key === "Escape" && (pending !== null || current() !== before)) {
       event.preventDefault();
       event.stopPropagation();
       pending = null;
@@ -145,7 +139,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   /** The field at rest shows its number in the usual form; what could not be read stays as it was typed. */
   function rest() {
     const value = current();
-    if (!pending && value !== undefined) show(value);
+    if (pending === null && value !== undefined) show(value);
     store.endGesture();
     update(store.state);
   }
@@ -153,7 +147,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   input.addEventListener("focus", () => {
     begin();
     const value = current();
-    if (!pending && value !== undefined) show(value);
+    if (pending === null && value !== undefined) show(value);
     input.select();
     store.set({ highlight: highlight() });
   });
@@ -181,7 +175,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   function update(state) {
     const value = read(state.design);
     if (value === undefined) {
-      if (!clear || pending) return;
+      if (!clear || pending !== null) return;
       if (shown !== undefined) input.value = input.title = "";
       shown = undefined;
     } else if (value !== shown) {
@@ -189,7 +183,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
       show(value);
     }
     const wrong = state.error !== null && state.error.path === path() ? state.error.message : null;
-    tell(pending ? t(`number.${pending.problem}`, { text: abridged(pending.text) }) : wrong);
+    tell(pending === null ? wrong : (parseNumber(pending, unit(), state.language).problem ?? null));
   }
 
   return {
@@ -205,7 +199,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
       if (!labelNode) input.setAttribute("aria-label", name());
       writeText(unitNode, unit());
       const value = current();
-      if (value !== undefined && !pending) show(value);
+      if (value !== undefined && pending === null) show(value);
       update(store.state);
     },
 
@@ -224,11 +218,6 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 }
 
 /** @typedef {ReturnType<typeof createNumberField>} NumberField */
-
-/** @param {string} text */
-function abridged(text) {
-  return text.length > REPEATED ? `${text.slice(0, REPEATED)}…` : text;
-}
 
 /**
  * A step of lengths that suits the cam's size: 1 for a base radius of 35, 0.01 for 0.2.

@@ -1,112 +1,62 @@
 /**
- * Numbers as people write them, read and shown: decimal comma or point, thin spaces, a true minus sign.
+ * Numbers of fields and readouts. The calculation reads and writes them, as it does in sentences and diagrams; here they get their units.
  *
- * @import { Format, Language } from "./types.d.ts"
+ * @import { Format, Language, NumberReading } from "./types.d.ts"
  */
 
-const MINUS = "\u2212";
-/** Groups of three digits are parted by a narrow no-break space, from five whole digits on (ISO 80000-1). */
-const GROUP = "\u202f";
-const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+/** @typedef {Pick<import("./engine.js").Module, "NumberForm" | "read_number" | "write_number">} Numbers */
+
 const NOTHING = "–";
 
-/** Digits that a number keeps when shown in its shortest form: beyond them lies the noise of a sum. */
-const EXACT = 12;
-/** Digits of a measured quantity. */
-const SIGNIFICANT = 4;
-/** Below and above these a number is written with a power of ten. */
-const SMALL = 1e-4;
-const LARGE = 1e7;
-/** A number at rest has three figures at least, whatever the room; in use it shows all it has. */
-const FIGURES = /^\D?[0.,]*(?:\d[.,]?){1,3}/;
-/** What stands for the figures that are cut off, and how many of them its width takes. */
+/** What stands for the figures of a field at rest that are cut off. */
 export const CUT = "…";
-const CUT_WIDTH = 2;
+
+/** @type {() => Numbers} */
+let calculation = () => {
+  throw new Error("no number is read or written before the calculation has started");
+};
 
 /**
- * What can be wrong with a number: each has its sentence under `number.` in the strings.
- * @typedef {"empty" | "two-signs" | "exponent" | "huge" | "unreadable"} NumberProblem
+ * Names the module that reads and writes.
+ * @param {() => Numbers} module  asked for before each use, since a panic replaces it
  */
-
-/** @typedef {{ value: number, problem?: undefined } | { problem: NumberProblem, value?: undefined }} Reading */
+export function connectNumbers(module) {
+  calculation = module;
+}
 
 /**
- * Reads a number with decimal comma or point, spaces between digits, −, and the unit of its field behind it.
+ * Reads a number: digits or a calculation, with or without a unit; the value is in the unit of the field.
  * @param {string} text
- * @param {string} [unit]
- * @returns {Reading}
+ * @param {string} [unit]  that of the field
+ * @param {Language} [language]  of the sentence about a text that is no number
+ * @returns {NumberReading}
  */
-export function parseNumber(text, unit = "") {
-  let rest = text.normalize("NFKC").trim().replaceAll(/[\u2212\u2013\u2012]/g, "-");
-  for (const ending of [unit, "°"]) {
-    if (ending && rest.endsWith(ending)) rest = rest.slice(0, -ending.length).trim();
-  }
-  rest = rest.replaceAll(/(?<=\d)[\s'’](?=\d{3}(?!\d))/g, "");
-  if (rest === "") return { problem: "empty" };
-  if (/^[+-]?[\d.,]*[.,][\d]*[.,][\d.,]*(e.*)?$/i.test(rest)) return { problem: "two-signs" };
-  if (/^[+-]?(\d+[.,]?\d*|[.,]\d+)e[+-]?$/i.test(rest)) return { problem: "exponent" };
-  if (!/^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i.test(rest)) return { problem: "unreadable" };
-  const value = Number(rest.replace(",", "."));
-  return Number.isFinite(value) ? { value } : { problem: "huge" };
-}
+export const parseNumber = (text, unit = "", language = "en") => calculation().read_number(text, unit, language);
 
 /**
- * @param {string} digits  plain decimal form with a point, no sign
- * @param {string} sign
- */
-function group(digits, sign) {
-  const [whole = "", fraction] = digits.split(".");
-  const grouped = whole.length > 4 ? whole.replaceAll(/\B(?=(\d{3})+$)/g, GROUP) : whole;
-  return fraction === undefined ? grouped : grouped + sign + fraction;
-}
-
-/**
- * @param {number} value
- * @param {number} digits  significant ones
- * @param {string} sign
- */
-function powerOfTen(value, digits, sign) {
-  const [mantissa = "", exponent = "0"] = value.toExponential(digits - 1).split("e");
-  const power = [...String(Math.abs(Number(exponent)))].map((digit) => SUPERSCRIPT[Number(digit)]).join("");
-  const factor = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
-  return `${factor.replace(".", sign)}·10${Number(exponent) < 0 ? "⁻" : ""}${power}`;
-}
-
-/**
- * @param {number} value  not negative
- * @param {string} sign
- */
-function shortest(value, sign) {
-  const rounded = Number(value.toPrecision(EXACT));
-  const text = String(rounded);
-  return text.includes("e") ? powerOfTen(rounded, EXACT, sign) : group(text, sign);
-}
-
-/**
- * The same number for a field: no groups, nothing lost.
+ * A number for a field that is being edited: no groups, nothing lost.
  * @param {number} value
  * @param {Language} language
  */
-export function fieldText(value, language) {
-  const text = String(value).replace("-", MINUS).replace("e" + MINUS, "e-");
-  return language === "es" ? text.replace(".", ",") : text;
-}
+export const fieldText = (value, language) => written(value, "Editable", 0, language);
 
 /**
- * A number as it stands in a field that nobody is in. One with more figures than there is room for is cut, and shows it: rounded, the
- * angles of a program would seem to add up to more than a turn.
+ * A number as it stands in a field that nobody is in. One with more figures than there is room for is cut, and shows it.
  * @param {number} value
  * @param {number} room
  * @param {Language} language
  */
-export function restingText(value, room, language) {
-  const whole = fieldText(Number(value.toPrecision(EXACT)), language);
-  const [mantissa = "", power = ""] = whole.split(/(?=e)/);
-  const point = mantissa.search(/[.,]/);
-  if (whole.length <= room || point < 0) return whole;
-  const figures = FIGURES.exec(mantissa)?.[0].length ?? 0;
-  const kept = Math.max(figures, point + 1, room - CUT_WIDTH - power.length);
-  return kept + 1 >= mantissa.length ? whole : mantissa.slice(0, kept) + CUT + power;
+export const restingText = (value, room, language) => written(value, "AtRest", room, language);
+
+/**
+ * @param {number} value
+ * @param {keyof Numbers["NumberForm"]} form
+ * @param {number} digits
+ * @param {Language} language
+ */
+function written(value, form, digits, language) {
+  const { NumberForm, write_number } = calculation();
+  return write_number(value, NumberForm[form], digits, language);
 }
 
 /**
@@ -114,35 +64,20 @@ export function restingText(value, room, language) {
  * @returns {Format}
  */
 export function createFormat(language) {
-  const decimal = () => (language() === "es" ? "," : ".");
-
   /**
    * @param {number | null | undefined} value
    * @param {string | undefined} unit
-   * @param {(size: number, sign: string) => string} write
+   * @param {keyof Numbers["NumberForm"]} form
    */
-  function compose(value, unit, write) {
+  function compose(value, unit, form, digits = 0) {
     if (value === null || value === undefined || Number.isNaN(value)) return NOTHING;
-    const size = Math.abs(value);
-    const text = size === Infinity ? "∞" : write(size, decimal());
-    const minus = value < 0 && /[1-9∞]/.test(text) ? MINUS : "";
-    if (!unit) return minus + text;
-    return minus + text + (unit === "°" ? "" : "\u00a0") + unit;
+    const text = written(value, form, digits, language());
+    return unit ? text + (unit === "°" ? "" : "\u00a0") + unit : text;
   }
 
   return {
-    number: (value, { digits, unit } = {}) =>
-      compose(value, unit, (size, sign) => (digits === undefined ? shortest(size, sign) : group(size.toFixed(digits), sign))),
-
-    angle: (value, digits = 1) => compose(value, "°", (size, sign) => group(size.toFixed(digits), sign)),
-
-    quantity: (value, { trim = false, unit } = {}) =>
-      compose(value, unit, (size, sign) => {
-        if (size === 0) return "0";
-        if (size < SMALL || size >= LARGE) return powerOfTen(size, SIGNIFICANT, sign);
-        const whole = Math.floor(Math.log10(Number(size.toPrecision(SIGNIFICANT)))) + 1;
-        const text = size.toFixed(Math.max(0, SIGNIFICANT - Math.max(whole, size < 1 ? whole : 1)));
-        return group(trim && text.includes(".") ? text.replace(/\.?0+$/, "") : text, sign);
-      }),
+    number: (value, { digits, unit } = {}) => compose(value, unit, digits === undefined ? "Exact" : "Fixed", digits),
+    angle: (value, digits = 1) => compose(value, "°", "Fixed", digits),
+    quantity: (value, { trim = false, unit } = {}) => compose(value, unit, trim ? "Measured" : "MeasuredWhole"),
   };
 }

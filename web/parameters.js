@@ -24,10 +24,10 @@ export function createExplanation(root, { store, lab, t, format }) {
   root.append(meaning, finding, field, face);
 
   margin.addEventListener("change", () => {
-    const read = parseNumber(margin.value, unit.textContent ?? "");
+    const read = parseNumber(margin.value, unit.textContent ?? "", store.state.language);
     const value = read.value ?? -1;
     margin.setAttribute("aria-invalid", String(value < 0));
-    if (read.problem) error.textContent = t(`number.${read.problem}`, { text: margin.value });
+    if (read.problem) error.textContent = read.problem;
     else error.textContent = value < 0 ? t("parameters.margin.negative") : "";
     if (value >= 0) store.set({ margins: { ...store.state.margins, [store.state.report.units.length]: value } });
   });

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import "../tests/module.js";
 import { pastedPoints } from "./pasted.js";
 
 const POINTS = [[0, 0], [60, 5], [120, 12.5], [360, 0]];

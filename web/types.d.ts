@@ -470,6 +470,9 @@ export interface Store {
 /** `t("transport.play")`, `t("verdict.more", { count: 3 })`. */
 export type Translate = (key: string, values?: Record<string, string | number>) => string;
 
+/** What was typed as a number, or the sentence that says why it is none. */
+export type NumberReading = { value: number; problem?: undefined } | { problem: string; value?: undefined };
+
 export interface Format {
   /** `digits` decimals, or the shortest exact form without them. */
   number(value: number | null | undefined, options?: { digits?: number; unit?: string }): string;

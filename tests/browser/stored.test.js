@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { test } from "node:test";
-import { drawn, root } from "./browser.js";
+import { root } from "./browser.js";
 import { banner, becomes, cursor, diagram, en, eventually, field, fragment, inkOf, level, openStill, setCursor } from "./user.js";
 
 /** @typedef {import("playwright-core").Page} Page */
@@ -73,20 +73,17 @@ const DESIGNS = {
  * @param {{ local?: Kept, session?: Kept }} kept
  */
 async function openWith(t, { local = {}, session = {} }) {
-  const { page, url } = await openStill(t);
-  await page.goto("about:blank");
-  await page.addInitScript(
-    ({ local, session }) => {
-      if (location.protocol === "about:") return;
-      localStorage.clear();
-      sessionStorage.clear();
-      for (const [name, text] of Object.entries({ tour: "true", ...local })) localStorage.setItem(`levalab:${name}`, text);
-      for (const [name, text] of Object.entries(session)) sessionStorage.setItem(`levalab:${name}`, text);
-    },
-    { local, session },
-  );
-  await page.goto(url);
-  await drawn(page);
+  /** @param {Page} page */
+  const prepare = (page) =>
+    page.addInitScript(
+      ({ local, session }) => {
+        if (location.protocol === "about:") return;
+        for (const [name, text] of Object.entries({ tour: "true", ...local })) localStorage.setItem(`levalab:${name}`, text);
+        for (const [name, text] of Object.entries(session)) sessionStorage.setItem(`levalab:${name}`, text);
+      },
+      { local, session },
+    );
+  const { page } = await openStill(t, { prepare });
   return page;
 }
 

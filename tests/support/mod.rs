@@ -43,7 +43,7 @@ pub fn follower(id: &str, base_radius: f64, given: &[(&str, f64)], rotation: Rot
     for &(key, value) in given {
         values[kind.index_of(key).expect(key)] = value;
     }
-    Follower::new(kind, base_radius, values, rotation).expect("a follower that rests on its base circle")
+    Follower::new(kind, base_radius, &values, rotation).expect("a follower that rests on its base circle")
 }
 
 /// A column that must be there.

@@ -75,7 +75,7 @@ pub fn follower_of(kind: &'static FollowerKind) -> impl Strategy<Value = Followe
         move |(base_radius, values, rotation)| {
             let mut all = [0.0; 4];
             all[..values.len()].copy_from_slice(&values);
-            Follower::new(kind, base_radius, all, rotation).ok()
+            Follower::new(kind, base_radius, &all, rotation).ok()
         },
     )
 }

@@ -113,10 +113,10 @@ export function createExportDialog({ store, t, format, announce }) {
   /** The number in a field: nothing when it is empty or out of sight. @param {{ input: HTMLInputElement }} field */
   function number({ input }) {
     if (input.closest("[hidden]") || input.value.trim() === "") return undefined;
-    const { value, problem } = parseNumber(input.value, store.state.report.units.length);
+    const { value, problem } = parseNumber(input.value, store.state.report.units.length, store.state.language);
     if (problem) {
       input.focus();
-      throw new Refusal(t(`number.${problem}`, { text: input.value }));
+      throw new Refusal(problem);
     }
     return value;
   }

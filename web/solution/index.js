@@ -121,8 +121,8 @@ function createView({ store, workshop, t, announce }) {
   theta.addEventListener("change", () => {
     follows.checked = false;
     const typed = theta.value.trim();
-    const { value, problem } = typed === "" ? { value: undefined } : parseNumber(typed, unit.textContent ?? "");
-    tell(problem ? t(`number.${problem}`, { text: typed }) : "");
+    const { value, problem } = typed === "" ? { value: undefined } : parseNumber(typed, unit.textContent ?? "", store.state.language);
+    tell(problem ?? "");
     if (problem) return;
     place = value;
     void draw();

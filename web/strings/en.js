@@ -171,11 +171,6 @@ export const en = {
   "segments.moved": "Segment moved to place {number} of {count}",
   "segments.removed": "Segment deleted; {count} left",
 
-  "number.empty": "A number is missing here.",
-  "number.two-signs": "“{text}” has more than one decimal sign: write thousands without a separator.",
-  "number.exponent": "After “e” the exponent is missing, as in 1.5e3.",
-  "number.huge": "“{text}” is too large.",
-  "number.unreadable": "“{text}” is not a number: write one such as 12.5 or −3.",
 
   "verdict.waiting": "One moment.",
   "verdict.stopped": "Cannot be built.",

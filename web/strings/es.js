@@ -171,11 +171,6 @@ export const es = {
   "segments.moved": "Tramo movido al puesto {number} de {count}",
   "segments.removed": "Tramo eliminado; quedan {count}",
 
-  "number.empty": "Aquí falta un número.",
-  "number.two-signs": "«{text}» lleva más de un signo decimal: escriba los millares sin separador.",
-  "number.exponent": "Tras la «e» falta el exponente, como en 1,5e3.",
-  "number.huge": "«{text}» es demasiado grande.",
-  "number.unreadable": "«{text}» no es un número: escriba uno como 12,5 o −3.",
 
   "verdict.waiting": "Un momento.",
   "verdict.stopped": "No se puede construir.",

@@ -1,6 +1,6 @@
 //! The languages, and how each writes a number.
 
-use crate::numbers;
+use levalab_numbers::write::{self, DecimalSign};
 
 /// A language that LevaLab speaks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,28 +31,28 @@ impl Language {
         Self::ALL.into_iter().find(|language| language.tag() == tag)
     }
 
-    /// A number with four significant digits at most: `−1.25`, `12 350`, `4.3·10⁻⁶`.
+    /// A measured quantity with four significant digits, whole digits kept: `−1.25`, `12 345`, `4.3·10⁻⁶`.
     #[must_use]
     pub fn number(self, value: f64) -> String {
-        numbers::significant(value, 4, self.decimal_sign())
+        write::measured(value, self.decimal_sign())
     }
 
     /// A number with all the digits that it was typed with.
     #[must_use]
     pub fn exact(self, value: f64) -> String {
-        numbers::significant(value, 12, self.decimal_sign())
+        write::exact(value, self.decimal_sign())
     }
 
     /// An angle in degrees with one decimal at most: `33.2°`.
     #[must_use]
     pub fn angle(self, degrees: f64) -> String {
-        numbers::fixed(degrees, 1, self.decimal_sign()) + "°"
+        write::rounded(degrees, 1, self.decimal_sign()) + "°"
     }
 
     /// A ratio with two decimals at most: `1.19`.
     #[must_use]
     pub fn ratio(self, value: f64) -> String {
-        numbers::fixed(value, 2, self.decimal_sign())
+        write::rounded(value, 2, self.decimal_sign())
     }
 
     /// An angle in degrees with four significant digits at most: `86.25°`.
@@ -61,12 +61,12 @@ impl Language {
         self.number(degrees) + "°"
     }
 
-    /// What stands between the whole digits and the others.
+    /// The decimal sign: a point in English, a comma in Spanish.
     #[must_use]
-    pub fn decimal_sign(self) -> char {
+    pub fn decimal_sign(self) -> DecimalSign {
         match self {
-            Self::En => '.',
-            Self::Es => ',',
+            Self::En => DecimalSign::Point,
+            Self::Es => DecimalSign::Comma,
         }
     }
 }

@@ -24,7 +24,6 @@ mod kinds;
 mod label;
 mod language;
 mod laws;
-pub mod numbers;
 mod page;
 mod two;
 

@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use levalab_chart::{Diagram, Quantity, Style, Timing, draw};
-use levalab_core::{Analysis, Cam, Follower, FollowerKind, Program, Rotation, Segment};
+use levalab_core::{Analysis, Cam, Follower, Program, Segment};
 use plotters::prelude::IntoDrawingArea;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 use std::hint::black_box;
@@ -64,8 +64,7 @@ fn cam() -> Cam {
         .zip(rises)
         .filter_map(|(law, rise)| Segment::of(law, if rise == 0.0 { 40.0 } else { 50.0 }, rise))
         .collect();
-    let kind = FollowerKind::by_id("translating-roller").expect("a follower");
-    let follower = Follower::new(kind, 35.0, [7.0, 0.0, 0.0, 0.0], Rotation::CounterClockwise).expect("it rests");
+    let follower = Follower::translating_roller(35.0, 7.0).expect("it rests");
     Cam::new(Program::new(&segments).expect("it closes"), follower)
 }
 

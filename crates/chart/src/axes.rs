@@ -2,11 +2,11 @@
 
 use crate::diagram::Diagram;
 use crate::frame::Frame;
-use crate::numerals::{Numerals, power_of_ten};
 use crate::sketch::{Dash, Mark, Sketch};
 use crate::space::{Room, Space};
 use crate::style::Style;
 use crate::ticks::{Ticks, angle_step};
+use levalab_numbers::write::{fixed, power_of_ten};
 use plotters::style::text_anchor::HPos;
 use plotters::style::{Color, RGBAColor};
 
@@ -101,11 +101,10 @@ fn horizontal(sketch: &mut Sketch, frame: &Frame, value: f64, colour: RGBAColor,
 
 /// Labels the ticks of the y axis. The power of ten goes into the plot where it covers nothing, or else above the labels.
 pub(crate) fn label_values(sketch: &mut Sketch, frame: &Frame, style: &Style, ticks: Ticks, space: &mut Space) {
-    let numerals = Numerals { decimal_comma: style.decimal_comma };
     let (x, muted) = (frame.left - frame.ems(frame.label_gap), style.muted.to_rgba());
     let mut highest = frame.ems(HALF_LABEL);
     if ticks.exponent != 0 {
-        let text = power_of_ten(ticks.exponent);
+        let text = format!("×{}", power_of_ten(ticks.exponent));
         let (width, height) = space.size(&text);
         let inset = frame.ems(frame.label_gap);
         let corners = [(HPos::Left, frame.left + inset), (HPos::Right, frame.right - inset)];
@@ -126,7 +125,7 @@ pub(crate) fn label_values(sketch: &mut Sketch, frame: &Frame, style: &Style, ti
     for value in ticks.values() {
         let y = frame.y(value);
         if highest <= y && y <= lowest {
-            sketch.text(ticks.label(value, numerals), (x, y), HPos::Right, muted);
+            sketch.text(ticks.label(value, style.decimal_sign), (x, y), HPos::Right, muted);
         }
     }
 }
@@ -139,9 +138,8 @@ fn angles(frame: &Frame) -> impl Iterator<Item = i32> {
 
 fn label_angles(sketch: &mut Sketch, frame: &Frame, style: &Style) {
     let muted = style.muted.to_rgba();
-    let numerals = Numerals { decimal_comma: style.decimal_comma };
     for angle in angles(frame) {
-        let mut text = numerals.fixed(f64::from(angle), 0);
+        let mut text = fixed(f64::from(angle), 0, style.decimal_sign);
         if angle == TURN {
             text.push('°');
         }
@@ -151,10 +149,9 @@ fn label_angles(sketch: &mut Sketch, frame: &Frame, style: &Style) {
 
 fn label_lengths(sketch: &mut Sketch, frame: &Frame, style: &Style, length: f64) {
     let gap = length * frame.em * X_GAP / f64::from(frame.right - frame.left);
-    let numerals = Numerals { decimal_comma: style.decimal_comma };
     let ticks = Ticks::within(0.0, length, gap);
     for value in ticks.values() {
-        label_place(sketch, frame, style.muted.to_rgba(), value, ticks.label(value, numerals));
+        label_place(sketch, frame, style.muted.to_rgba(), value, ticks.label(value, style.decimal_sign));
     }
 }
 

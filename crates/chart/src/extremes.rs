@@ -2,12 +2,12 @@
 
 use crate::diagram::{Diagram, Jump};
 use crate::frame::Frame;
-use crate::numerals::Numerals;
 use crate::sketch::{At, Mark, Sketch};
 use crate::space::{Room, Space};
 use crate::style::Style;
 use crate::ticks::{Ticks, ten_to};
 use crate::trace::TARGET;
+use levalab_numbers::write::measured;
 use plotters::style::Color;
 use plotters::style::text_anchor::HPos;
 
@@ -29,7 +29,6 @@ pub(crate) fn draw(
     ticks: Ticks,
     space: &mut Space,
 ) {
-    let numerals = Numerals { decimal_comma: style.decimal_comma };
     let radius = frame.css(DOT * style.stroke);
     for &target in &diagram.targets {
         space.take_dot(frame.at(target), frame.css(TARGET * style.stroke));
@@ -43,7 +42,7 @@ pub(crate) fn draw(
         if !diagram.jumps.iter().any(at_jump) {
             sketch.marks.push(Mark::Dot { centre, radius, colour: style.curve.to_rgba() });
         }
-        let text = numerals.significant(value / ten_to(ticks.exponent));
+        let text = measured(value / ten_to(ticks.exponent), style.decimal_sign);
         let below = diagram.extremes.iter().any(|other| other.1 > value) || value < 0.0 && diagram.extremes.len() == 1;
         let mut places = candidates(frame, centre, space.size(&text), below).into_iter();
         if let Some((anchor, room)) = places.find(|&(_, room)| space.is_free(room, &sketch.points)) {

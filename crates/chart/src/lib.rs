@@ -7,13 +7,11 @@
 //!
 //! ```
 //! use levalab_chart::{Diagram, Quantity, Style, Timing, svg};
-//! use levalab_core::{Analysis, Cam, Follower, FollowerKind, Program, Rotation, Segment};
+//! use levalab_core::{Analysis, Cam, Follower, Program, Segment};
 //!
 //! let rows = [("parabolic", 180.0, 20.0), ("parabolic", 180.0, -20.0)];
 //! let segments = rows.map(|(law, beta, rise)| Segment::of(law, beta, rise).unwrap());
-//! let kind = FollowerKind::by_id("translating-knife").unwrap();
-//! let follower = Follower::new(kind, 40.0, [0.0; 4], Rotation::CounterClockwise)?;
-//! let cam = Cam::new(Program::new(&segments)?, follower);
+//! let cam = Cam::new(Program::new(&segments)?, Follower::translating_knife(40.0)?);
 //! let diagram = Diagram::of(Quantity::A, &cam, &Analysis::of(&cam, 720), Timing::PerRadian);
 //! let (text, area) = svg(&diagram, &Style { width: 420.0, height: 110.0, ..Style::default() });
 //! assert!(text.starts_with("<svg") && area.x_max == 360.0);
@@ -32,7 +30,6 @@ mod diagram;
 mod extremes;
 mod frame;
 mod gather;
-mod numerals;
 mod paint;
 mod quantity;
 mod radius;

@@ -97,7 +97,7 @@ impl Quantity {
         match self {
             Self::PressureAngle => angle,
             Self::Rho | Self::Contact => 1.0,
-            Self::S | Self::V | Self::A | Self::J if cam.follower.kind.motion == Motion::Oscillating => angle * rate,
+            Self::S | Self::V | Self::A | Self::J if cam.follower.kind().motion == Motion::Oscillating => angle * rate,
             Self::S | Self::V | Self::A | Self::J => rate,
         }
     }

@@ -21,7 +21,7 @@ const GIVEN_UP: f64 = 2.0;
 
 /// Chooses the extent, and notes limits and extremes.
 pub(crate) fn finish(diagram: &mut Diagram, cam: &Cam, analysis: &Analysis) {
-    let (base, radius) = (cam.follower.base_radius, cam.follower.disc_radius());
+    let (base, radius) = (cam.follower.base_radius(), cam.follower.disc_radius());
     diagram.extent = extent(diagram, base, analysis);
     diagram.limits = vec![0.0];
     // No hollow is tighter than the roller in it.

@@ -1,5 +1,6 @@
 //! How a diagram looks.
 
+use levalab_numbers::write::DecimalSign;
 use plotters::style::RGBColor;
 
 /// Units of drawing to a device pixel. Backends draw at whole units, so this is how fine curves and strokes are.
@@ -42,8 +43,8 @@ pub struct Style {
     pub stroke: f64,
     /// Labels of θ under the plot, which need [`Style::FOOT`] more height for the same plot.
     pub x_labels: bool,
-    /// Decimal comma instead of the point.
-    pub decimal_comma: bool,
+    /// The decimal sign of its labels.
+    pub decimal_sign: DecimalSign,
 }
 
 impl Style {
@@ -79,7 +80,7 @@ impl Default for Style {
             others: Vec::new(),
             stroke: 1.5,
             x_labels: true,
-            decimal_comma: false,
+            decimal_sign: DecimalSign::Point,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Round values along an axis.
 
-use crate::numerals::Numerals;
+use levalab_numbers::write::{DecimalSign, fixed};
 
 /// Most ticks along the y axis.
 const MOST: usize = 6;
@@ -55,14 +55,13 @@ impl Ticks {
     }
 
     /// The label of one of them.
-    pub fn label(self, value: f64, numerals: Numerals) -> String {
-        if value == 0.0 { "0".to_owned() } else { numerals.fixed(value / ten_to(self.exponent), self.decimals) }
+    pub fn label(self, value: f64, sign: DecimalSign) -> String {
+        if value == 0.0 { "0".to_owned() } else { fixed(value / ten_to(self.exponent), self.decimals, sign) }
     }
 
     fn longest_label(self) -> usize {
-        let numerals = Numerals { decimal_comma: false };
-        let ends = [self.first, self.last].map(|k| self.label(k as f64 * self.step, numerals));
-        ends.iter().map(|label| label.chars().filter(|&c| c != '\u{2009}').count()).max().unwrap_or(0)
+        let ends = [self.first, self.last].map(|k| self.label(k as f64 * self.step, DecimalSign::Point));
+        ends.iter().map(|label| label.chars().filter(|&c| c != '\u{202f}').count()).max().unwrap_or(0)
     }
 }
 
@@ -85,7 +84,7 @@ mod tests {
 
     fn labels(low: f64, high: f64, gap: f64) -> (Vec<String>, i32) {
         let ticks = Ticks::within(low, high, gap);
-        (ticks.values().map(|value| ticks.label(value, Numerals { decimal_comma: false })).collect(), ticks.exponent)
+        (ticks.values().map(|value| ticks.label(value, DecimalSign::Point)).collect(), ticks.exponent)
     }
 
     #[test]

@@ -5,6 +5,7 @@ mod support;
 
 use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour, draw, svg};
 use levalab_core::{Analysis, Cam, Motion, Svaj};
+use levalab_numbers::write::DecimalSign;
 use plotters::prelude::IntoDrawingArea;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 use proptest::prelude::*;
@@ -31,7 +32,7 @@ fn style() -> impl Strategy<Value = Style> {
             height: (height + 3.0 * font_size).round(),
             font_size,
             x_labels,
-            decimal_comma,
+            decimal_sign: if decimal_comma { DecimalSign::Comma } else { DecimalSign::Point },
             curve: colour(CURVE).expect("a colour"),
             ..Style::default()
         },
@@ -66,7 +67,7 @@ fn curve(text: &str) -> Vec<(f64, f64)> {
 /// Width of a character, in heights of the type.
 fn width_of(character: char) -> f64 {
     match character {
-        '\u{2009}' => 0.2,
+        '\u{202f}' => 0.2,
         '\u{2212}' | '×' => 0.84,
         '0'..='9' => FIGURE,
         '.' | ',' => FIGURE / 2.0,
@@ -86,7 +87,7 @@ fn around(quantity: Quantity, cam: &Cam, theta: f64, reach: f64) -> (f64, f64) {
         Quantity::Rho => cam.follower.profile_radius(cam.follower.contact(motion).bend),
         Quantity::Contact => cam.follower.contact(motion).reach,
     };
-    let swings = cam.follower.kind.motion == Motion::Oscillating
+    let swings = cam.follower.kind().motion == Motion::Oscillating
         && !matches!(quantity, Quantity::PressureAngle | Quantity::Contact);
     within(cam, theta, reach, PARTS, |motion| if swings { value(motion).to_degrees() } else { value(motion) })
 }
@@ -322,9 +323,7 @@ fn a_sheet_shows_exactly_its_heights_with_and_without_a_curve() {
 
     let segments = [("cycloidal", 180.0, 20.0), ("cycloidal", 180.0, -20.0)];
     let segments = segments.map(|(law, beta, rise)| levalab_core::Segment::of(law, beta, rise).expect("a segment"));
-    let kind = levalab_core::FollowerKind::by_id("translating-roller").expect("a roller");
-    let follower =
-        levalab_core::Follower::new(kind, 40.0, [10.0, 0.0, 0.0, 0.0], levalab_core::Rotation::CounterClockwise);
+    let follower = levalab_core::Follower::translating_roller(40.0, 10.0);
     let cam = Cam::new(levalab_core::Program::new(&segments).expect("a program"), follower.expect("a follower"));
     let analysis = Analysis::of(&cam, 360);
     for high in [26.0, 15.0] {

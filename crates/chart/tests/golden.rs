@@ -9,6 +9,7 @@ mod support;
 use levalab_chart::{Diagram, Quantity, Style, Timing, colour, svg};
 use levalab_core::application::Application;
 use levalab_core::{Analysis, Cam, Rotation};
+use levalab_numbers::write::DecimalSign;
 use std::f64::consts::{PI, TAU};
 use support::classics::{nine_rt, two_ro};
 use support::{follower, lengths};
@@ -111,8 +112,13 @@ fn four_diagrams_of_9rt_stacked() {
 
 #[test]
 fn velocity_of_r1_by_time_with_a_decimal_comma() {
-    let look =
-        Style { decimal_comma: true, x_labels: true, height: 220.0, width: 900.0, ..style("#00735a", &[9.0, 3.0]) };
+    let look = Style {
+        decimal_sign: DecimalSign::Comma,
+        x_labels: true,
+        height: 220.0,
+        width: 900.0,
+        ..style("#00735a", &[9.0, 3.0])
+    };
     compare("R1-by-time-v", Quantity::V, &r1(), Timing::PerSecond(TAU), &look);
 }
 

@@ -1,10 +1,9 @@
 //! `levalab analyze`: everything there is to say about a cam, for other programs.
 
 use crate::failure::Failure;
-use crate::input::Cams;
-use levalab_core::{Analysis, Cam, Column};
+use levalab_core::Column;
 use levalab_format::report::{self, DesignFinding, Report};
-use levalab_format::{ApplicationDesign, Design, DesignCure, Outcome, Target, ToldCure, ToldFinding, ToldVerdict};
+use levalab_format::{CamStudy, Design, DesignCure, Outcome, Study, Target, ToldCure, ToldFinding, ToldVerdict};
 use levalab_words::Language;
 use serde::{Serialize, Serializer};
 use std::fmt::Write;
@@ -77,21 +76,19 @@ impl<T: Serialize> Serialize for InOrder<T> {
 }
 
 /// Verdict, summary and columns; what is not finite is null.
-pub fn json(design: &Design, cams: &Cams, samples: usize, language: Language) -> Result<String, Failure> {
-    let second = cams.second.as_ref().map(|cam| Box::new(answer(design, cam, samples, language)));
-    let application = design.application.as_ref().map(|set| applied(design, &cams.first, set, samples));
-    let answer = Answer { conjugate: second, application, ..answer(design, &cams.first, samples, language) };
+pub fn json(study: &Study, language: Language) -> Result<String, Failure> {
+    let second = study.second().map(|cam| Box::new(answer(cam, language)));
+    let answer = Answer { conjugate: second, application: applied(study), ..answer(study.first(), language) };
     serde_json::to_string(&answer).map(|text| text + "\n").map_err(|_| Failure::no_output(language))
 }
 
-fn answer(design: &Design, cam: &Cam, samples: usize, language: Language) -> Answer {
-    let analysis = Analysis::of(cam, samples);
-    let report = Report::of(design, cam, &analysis);
-    let cures = levalab_format::cures(design, cam, &analysis);
-    let findings = report.findings.iter().zip(cures).map(|(finding, cures)| found(design, finding, cures, language));
-    let verdict = ToldVerdict::new(report.level, levalab_words::headline(language, &report), findings.collect());
-    let columns = InOrder(report::columns(design, &analysis));
-    let Report { summary, least_convex, tightest_hollow, inflections, .. } = report;
+fn answer(cam: &CamStudy, language: Language) -> Answer {
+    let (design, report) = (cam.design(), cam.report());
+    let each = report.findings.iter().zip(cam.cures());
+    let findings = each.map(|(finding, cures)| found(design, finding, cures, language));
+    let verdict = ToldVerdict::new(report.level, levalab_words::headline(language, report), findings.collect());
+    let columns = InOrder(cam.columns());
+    let Report { summary, least_convex, tightest_hollow, inflections, .. } = report.clone();
     Answer {
         verdict,
         summary: InOrder(summary),
@@ -105,17 +102,16 @@ fn answer(design: &Design, cam: &Cam, samples: usize, language: Language) -> Ans
 }
 
 /// The columns, those of a second cam after those of the first, and those of an application last; what is not finite is `inf` or `-inf`.
-pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
-    let of = |cam: &Cam| report::columns(design, &Analysis::of(cam, samples));
-    let mut columns: Vec<(String, Vec<f64>)> = named(of(&cams.first), "");
-    if let Some(second) = &cams.second {
+pub fn csv(study: &Study) -> String {
+    let (design, analysis) = (study.design(), study.first().analysis());
+    let mut columns: Vec<(String, Vec<f64>)> = named(study.first().columns(), "");
+    if let Some(second) = study.second() {
         // Both cams turn together: one θ serves.
-        columns.extend(named(of(second), "conjugate_").into_iter().skip(1));
+        columns.extend(named(second.columns(), "conjugate_").into_iter().skip(1));
     }
     if let Some(set) = &design.application {
-        let analysis = Analysis::of(&cams.first, samples);
         let outputs = set.application.outputs.iter();
-        columns.extend(outputs.map(|output| (output.id.to_owned(), set.column(design, &analysis, output))));
+        columns.extend(outputs.map(|output| (output.id.to_owned(), set.column(design, analysis, output))));
     }
     for (name, values) in &mut columns {
         // A radius of curvature has no scale to compare with, since it may be infinite.
@@ -127,7 +123,8 @@ pub fn csv(design: &Design, cams: &Cams, samples: usize) -> String {
     }
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut text = names.join(",") + "\n";
-    for row in 0..=samples {
+    let rows = columns.first().map_or(0, |(_, values)| values.len());
+    for row in 0..rows {
         for (k, (_, values)) in columns.iter().enumerate() {
             let comma = if k == 0 { "" } else { "," };
             // As in JSON: the fewest digits that read back. Writing to memory cannot fail.
@@ -148,13 +145,14 @@ fn without_rounding(values: &mut [f64], size: f64) {
     }
 }
 
-fn applied(design: &Design, cam: &Cam, set: &ApplicationDesign, samples: usize) -> Applied {
-    let analysis = Analysis::of(cam, samples);
-    let Outcome { outputs, figures, targets } = set.outcome(design, cam, &analysis);
+fn applied(study: &Study) -> Option<Applied> {
+    let (design, analysis) = (study.design(), study.first().analysis());
+    let set = design.application.as_ref()?;
+    let Outcome { outputs, figures, targets } = study.outcome()?;
     let omega = design.omega();
     let theta = analysis.column(Column::Theta).unwrap_or_default();
     let time = ("time", theta.iter().map(|theta| theta / omega).collect());
-    let values = set.application.outputs.iter().map(|output| (output.id, set.column(design, &analysis, output)));
+    let values = set.application.outputs.iter().map(|output| (output.id, set.column(design, analysis, output)));
     let range = |found: levalab_format::OutputRange| {
         let unit = design.length_unit.unit_of(found.output.magnitude);
         (
@@ -163,14 +161,14 @@ fn applied(design: &Design, cam: &Cam, set: &ApplicationDesign, samples: usize) 
         )
     };
     let hit = |Target { theta, time, value, found, error }| Hit { theta, time, value, found, error };
-    Applied {
+    Some(Applied {
         kind: set.application.id,
         figures: InOrder(figures.into_iter().map(|(figure, value)| (figure.id, value)).collect()),
         columns: InOrder([time].into_iter().chain(values).collect()),
         outputs: InOrder(outputs.into_iter().map(range).collect()),
         target_of: set.main().id,
         targets: targets.into_iter().map(hit).collect(),
-    }
+    })
 }
 
 fn named(columns: Vec<(&str, Vec<f64>)>, prefix: &str) -> Vec<(String, Vec<f64>)> {

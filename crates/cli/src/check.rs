@@ -2,9 +2,8 @@
 
 use crate::failure::{Failure, shown};
 use crate::{input, output};
-use levalab_core::{Analysis, Cam, Level, profiles_coincide};
-use levalab_format::Design;
-use levalab_format::report::Report;
+use levalab_core::{Level, profiles_coincide};
+use levalab_format::{CamStudy, Study};
 use levalab_words::Language;
 use std::num::NonZero;
 use std::process::ExitCode;
@@ -100,44 +99,41 @@ fn code_of(level: Level) -> u8 {
 
 /// The verdict on a design: the worse of its cams, and what is said of each.
 fn judge(file: &str, language: Language) -> Judged {
-    let (design, cams) = input::design_and_cams(file, language)?;
-    let (level, text) = verdict(&design, &cams.first, language);
-    let (level, text) = match &cams.second {
+    // The verdict is exact with any number of rows.
+    let study = input::study(file, 1, language)?;
+    let text = verdict(study.first(), language);
+    let text = match study.second() {
         Some(second) => {
-            let (worse, more) = verdict(&design, second, language);
-            let one = if profiles_coincide(&cams.first, second) {
+            let more = verdict(second, language);
+            let one = if profiles_coincide(study.first().cam(), second.cam()) {
                 levalab_words::profiles_coincide(language).to_owned() + "\n"
             } else {
                 String::new()
             };
-            (level.max(worse), text + &levalab_words::of_second_cam(language, &more) + &one)
+            text + &levalab_words::of_second_cam(language, &more) + &one
         }
-        None => (level, text),
+        None => text,
     };
-    Ok((level, text + &application(&design, &cams.first, language)))
+    Ok((study.level(), text + &application(&study, language)))
 }
 
 /// What comes of the application, when there is one. It is no part of the verdict.
-fn application(design: &Design, cam: &Cam, language: Language) -> String {
-    let Some(set) = &design.application else { return String::new() };
-    let outcome = set.outcome(design, cam, &Analysis::of(cam, 1));
+fn application(study: &Study, language: Language) -> String {
+    let Some((set, outcome)) = study.design().application.as_ref().zip(study.outcome()) else { return String::new() };
     let head = levalab_words::application_title(language, set.application);
-    let sentences = levalab_words::outcome(language, design, &outcome);
+    let sentences = levalab_words::outcome(language, study.design(), &outcome);
     sentences.iter().fold(format!("{head}:\n"), |text, sentence| text + &format!("  {sentence}\n"))
 }
 
 /// The headline, then each finding with its cures.
-fn verdict(design: &Design, cam: &Cam, language: Language) -> (Level, String) {
-    // The verdict is exact whatever the steps are.
-    let analysis = Analysis::of(cam, 1);
-    let report = Report::of(design, cam, &analysis);
-    let mut text = levalab_words::headline(language, &report) + "\n";
-    let cures = levalab_format::cures(design, cam, &analysis);
-    for (finding, cures) in report.findings.iter().zip(&cures) {
+fn verdict(cam: &CamStudy, language: Language) -> String {
+    let (design, report) = (cam.design(), cam.report());
+    let mut text = levalab_words::headline(language, report) + "\n";
+    for (finding, cures) in report.findings.iter().zip(&cam.cures()) {
         text += &format!("  {}\n", levalab_words::finding(language, design, finding));
         for cure in cures {
             text += &format!("  → {}\n", levalab_words::cure(language, design, finding, &cure.remedy));
         }
     }
-    (report.level, text)
+    text
 }

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input;
-use levalab_core::{Analysis, Level};
+use levalab_core::Level;
 use levalab_format::{Contender, Design, Figures, tournament};
 use levalab_words::{Language, Signs};
 use std::cmp::Ordering;
@@ -31,14 +31,14 @@ const GAP: &str = "  ";
 pub fn designs(files: &[String], language: Language) -> Result<String, Failure> {
     let mut rows = Vec::new();
     for file in files {
-        let (design, cams) = input::design_and_cams(file, language)?;
+        let study = input::study(file, 1, language)?;
+        let (design, figures) = (study.design(), study.figures());
         if rows.is_empty() {
-            rows.push(heads(["", "R_b"], &design));
+            rows.push(heads(["", "R_b"], design));
         }
-        let figures = Figures::of(&design, &cams.first, &Analysis::of(&cams.first, 1));
         let name = if design.title.is_empty() { file.clone() } else { design.title.clone() };
-        let radius = length(&design, design.kind.travel().is_none().then_some(design.base_radius), language);
-        rows.push(line([name, radius], &design, &figures, language));
+        let radius = length(design, design.kind.travel().is_none().then_some(design.base_radius), language);
+        rows.push(line([name, radius], design, &figures, language));
     }
     Ok(table(&rows))
 }

@@ -75,8 +75,8 @@ enum Parting {
 
 /// Writes the file.
 pub fn run(options: &Options, language: Language) -> Result<ExitCode, Failure> {
-    let (design, cams) = input::design_and_cams(&options.file, language)?;
-    let subject = Subject { design: &design, cam: &cams.first, second: cams.second.as_ref(), language };
+    let study = input::study(&options.file, 1, language)?;
+    let subject = Subject { study: &study, language };
     if options.output != "-" && is_same_file(&options.file, &options.output) {
         let said = match language {
             Language::En => "It is the design file itself, which would be lost.",

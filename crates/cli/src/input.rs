@@ -1,9 +1,8 @@
 //! Designs from files, standard input and links.
 
 use crate::failure::Failure;
-use levalab_core::Cam;
 use levalab_format::limits::{MAX_FILE_BYTES, MAX_LINK_OPENED};
-use levalab_format::{Design, Notation, link};
+use levalab_format::{Design, Notation, Study, link};
 use levalab_words::Language;
 use std::fs::File;
 use std::io::{self, Read};
@@ -31,26 +30,23 @@ fn told(design: Design) -> Design {
 
 /// The design of a design file.
 pub fn design(name: &str, language: Language) -> Result<Design, Failure> {
-    design_and_cams(name, language).map(|(design, _)| design)
+    let bytes = read_file(name, language)?;
+    Design::from_bytes(&bytes).map(told).map_err(|error| Failure::design(&error, name, language))
 }
 
-/// The cam that a design is, and the second one of a pair.
-pub struct Cams {
-    pub first: Cam,
-    pub second: Option<Cam>,
+/// The study of a design file; its columns have `rows` + 1 values.
+pub fn study(name: &str, rows: usize, language: Language) -> Result<Study, Failure> {
+    let bytes = read_file(name, language)?;
+    let study = Study::from_bytes(&bytes, rows).map_err(|error| Failure::design(&error, name, language))?;
+    Ok(match NOTATION.get().copied().flatten() {
+        Some(notation) => study.in_notation(notation),
+        None => study,
+    })
 }
 
-/// The design of a design file, and the cams that it is.
-pub fn design_and_cams(name: &str, language: Language) -> Result<(Design, Cams), Failure> {
-    // One byte more than the most, so that a file that is too large is seen to be.
-    let bytes = read(name, MAX_FILE_BYTES + 1, language)?;
-    let design = Design::from_bytes(&bytes).map(told);
-    let cams = |design: Design| {
-        let first = design.cam()?;
-        let second = design.second(&first)?;
-        Ok((design, Cams { first, second }))
-    };
-    design.and_then(cams).map_err(|error| Failure::design(&error, name, language))
+fn read_file(name: &str, language: Language) -> Result<Vec<u8>, Failure> {
+    // One byte more than the limit, so that a file that is too large is seen to be.
+    read(name, MAX_FILE_BYTES + 1, language)
 }
 
 /// The design of a link.

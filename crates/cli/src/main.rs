@@ -141,9 +141,8 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
         Command::Check { files } => return check::run(&files, language),
         Command::Export(options) => return export::run(&options, language),
         Command::Analyze(Analyze { file, samples, csv, .. }) => {
-            let (design, cams) = input::design_and_cams(&file, language)?;
-            let samples = samples as usize;
-            if csv { analyze::csv(&design, &cams, samples) } else { analyze::json(&design, &cams, samples, language)? }
+            let study = input::study(&file, samples as usize, language)?;
+            if csv { analyze::csv(&study) } else { analyze::json(&study, language)? }
         }
         Command::Compare { files } => compare::designs(&files, language)?,
         Command::Tournament { file, by } => compare::laws(&file, by, language)?,

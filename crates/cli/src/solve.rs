@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::input;
-use levalab_solve::{Request, Symbols, Worked, latex, markdown, page, solve};
+use levalab_format::Design;
+use levalab_solve::{Request, Symbols, latex, markdown, page, solve};
 use levalab_words::Language;
 
 /// What is asked of a solution.
@@ -33,9 +34,8 @@ enum Writer {
 
 /// The solution as text.
 pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
-    let design = input::design(&options.file, language)?;
-    let worked = Worked::of(design).map_err(|error| Failure::design(&error, &options.file, language))?;
-    let most = worked.segments();
+    let study = input::study(&options.file, 1, language)?;
+    let most = study.segments();
     if let Some(found) = options.segment.filter(|k| !(1..=most).contains(k)) {
         let said = match language {
             Language::En => format!("The design has segments 1 to {most}, and no segment {found}."),
@@ -43,13 +43,13 @@ pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
         };
         return Err(Failure::usage(format!("--segment: {said}")));
     }
-    if let Some(said) = options.theta.and_then(|theta| wrong_place(theta, &worked, language)) {
+    if let Some(said) = options.theta.and_then(|theta| wrong_place(theta, study.design(), language)) {
         return Err(Failure::usage(format!("--theta: {said}")));
     }
     let segment = options.segment.map(|k| k - 1);
-    let symbols = Symbols::of(&worked.design);
+    let symbols = Symbols::of(study.design());
     let request = Request { language, theta: options.theta, segment, symbols };
-    let document = solve(&worked, &request);
+    let document = solve(&study, &request);
     Ok(match options.to {
         Writer::Markdown => markdown(&document, language),
         Writer::Latex => latex(&document, language),
@@ -61,8 +61,8 @@ pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
 const MAX_DEGREES: f64 = 1e6;
 
 /// What is wrong with a place where numbers are to be put in: it lies beyond the travel, or so far on that no angle is left.
-fn wrong_place(theta: f64, worked: &Worked, language: Language) -> Option<String> {
-    let (least, most) = worked.design.kind.travel().map_or((-MAX_DEGREES, MAX_DEGREES), |length| (0.0, length));
+fn wrong_place(theta: f64, design: &Design, language: Language) -> Option<String> {
+    let (least, most) = design.kind.travel().map_or((-MAX_DEGREES, MAX_DEGREES), |length| (0.0, length));
     let [from, to] = [least, most].map(|value| language.exact(value));
     let said = match language {
         Language::En => format!("It must be a number from {from} to {to}."),

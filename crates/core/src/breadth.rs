@@ -76,12 +76,10 @@ pub fn sharpest_base_radius(sides: u32, breadth: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Analysis, Cam, Closure, Column, FindingKind, Follower, FollowerKind, Level, Rotation};
+    use crate::{Analysis, Cam, Closure, Column, FindingKind, Follower, Level};
 
     fn flat(program: Program, base_radius: f64) -> Cam {
-        let kind = FollowerKind::by_id("translating-flat").expect("flat");
-        let follower = Follower::new(kind, base_radius, [0.0; 4], Rotation::CounterClockwise).expect("it rests");
-        Cam::new(program, follower).closed_by(Closure::Yoke)
+        Cam::new(program, Follower::translating_flat(base_radius).expect("it rests")).closed_by(Closure::Yoke)
     }
 
     #[test]

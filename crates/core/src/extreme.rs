@@ -2,6 +2,7 @@
 
 use crate::Cam;
 use crate::samples::{Quantity, Samples};
+use crate::search::{crest, root, summit, vertex};
 use std::f64::consts::TAU;
 
 /// Where a quantity is least and greatest over the cycle; θ in radians, or length for a cam that travels.
@@ -204,89 +205,6 @@ impl Search<'_> {
     }
 }
 
-/// Height of the parabola through three samples, for ranking bumps; at a one-sided end, the sample itself.
-fn vertex([before, here, after]: [f64; 3], [low, middle, high]: [f64; 3]) -> f64 {
-    let (left, right) = ((middle - low) / (here - before), (high - middle) / (after - here));
-    let bend = (right - left) / (after - before);
-    if !bend.is_finite() || bend >= 0.0 {
-        return middle;
-    }
-    let slope = left + bend * (here - before);
-    middle - 0.25 * slope * slope / bend
-}
-
-/// Where the slope passes zero beside the middle one of three points, given as (θ, slope); nowhere when it does not, as at the end of a stretch.
-fn crest([low, here, high]: [(f64, f64); 3], slope: impl Fn(f64) -> f64) -> Option<f64> {
-    let far = if here.1 > 0.0 { high } else { low };
-    let passes = here.1 != 0.0 && far.0 != here.0 && (far.1 > 0.0) != (here.1 > 0.0);
-    passes.then(|| root_between(here, far, slope))
-}
-
-/// Greatest value of `f` between two places, by Brent's method started from a third one, given with its value. A start at one of the two that is
-/// higher than what lies beside it is the summit.
-pub(crate) fn summit(
-    (low, high): (f64, f64),
-    (start, at_start): (f64, f64),
-    tolerance: f64,
-    f: impl Fn(f64) -> f64,
-) -> (f64, f64) {
-    if start == low && f(low + tolerance) < at_start || start == high && f(high - tolerance) < at_start {
-        return (start, at_start);
-    }
-    const GOLDEN: f64 = 0.381_966_011_250_105;
-    let (mut a, mut b) = (low, high);
-    let (mut x, mut w, mut v) = (start, start, start);
-    let (mut fx, mut fw, mut fv) = (at_start, at_start, at_start);
-    let (mut step, mut last): (f64, f64) = (0.0, 0.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (a + b);
-        if (x - middle).abs() <= 2.0 * tolerance - 0.5 * (b - a) {
-            break;
-        }
-        let mut golden = true;
-        if last.abs() > tolerance {
-            let r = (x - w) * (fx - fv);
-            let mut q = (x - v) * (fx - fw);
-            let mut p = (x - v) * q - (x - w) * r;
-            q = 2.0 * (q - r);
-            if q > 0.0 {
-                p = -p;
-            }
-            q = q.abs();
-            if p.abs() < (0.5 * q * last).abs() && p > q * (a - x) && p < q * (b - x) {
-                (last, step, golden) = (step, p / q, false);
-            }
-        }
-        if golden {
-            last = if x < middle { b - x } else { a - x };
-            step = GOLDEN * last;
-        }
-        let u = x + if step.abs() >= tolerance { step } else { tolerance.copysign(step) };
-        let u = u.clamp(low, high);
-        let fu = f(u);
-        if fu >= fx {
-            if u >= x {
-                a = x;
-            } else {
-                b = x;
-            }
-            (v, fv, w, fw, x, fx) = (w, fw, x, fx, u, fu);
-        } else {
-            if u < x {
-                a = u;
-            } else {
-                b = u;
-            }
-            if fu >= fw || w == x {
-                (v, fv, w, fw) = (w, fw, u, fu);
-            } else if fu >= fv || v == x || v == w {
-                (v, fv) = (u, fu);
-            }
-        }
-    }
-    (x, fx)
-}
-
 /// The greatest value of `sign`·quantity between two θ (the second beyond 2π when they enclose 0), and where: the quantity and its θ.
 pub(crate) fn greatest_within(
     cam: &Cam,
@@ -393,30 +311,4 @@ fn with_summits_across(sampled: &[(f64, f64)], tolerance: f64, f: impl Fn(f64) -
     }
     along.sort_by(|a, b| a.0.total_cmp(&b.0));
     along
-}
-
-/// Where `f` changes sign between `low` and `high`.
-pub(crate) fn root(low: f64, high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    root_between((low, f(low)), (high, f(high)), f)
-}
-
-/// Where `f` changes sign between two places, given with its values there, by the Illinois variant of false position.
-fn root_between((mut low, mut at_low): (f64, f64), (mut high, mut at_high): (f64, f64), f: impl Fn(f64) -> f64) -> f64 {
-    for _ in 0..100 {
-        let mut middle = (low * at_high - high * at_low) / (at_high - at_low);
-        if !(middle > low.min(high) && middle < low.max(high)) {
-            middle = 0.5 * (low + high);
-        }
-        let value = f(middle);
-        if value == 0.0 || (high - low).abs() <= 1e-14 * (low.abs() + high.abs()) {
-            return middle;
-        }
-        if (value > 0.0) == (at_high > 0.0) {
-            (low, at_low, high, at_high) = (low, 0.5 * at_low, middle, value);
-        } else {
-            (low, at_low) = (high, at_high);
-            (high, at_high) = (middle, value);
-        }
-    }
-    high
 }

@@ -5,7 +5,7 @@
 //! and what is wrong. [`prescribe`] says what would put it right.
 //!
 //! ```
-//! use levalab_core::{Analysis, Cam, Follower, FollowerKind, Level, Program, Rotation, Segment};
+//! use levalab_core::{Analysis, Cam, Follower, Level, Program, Segment};
 //!
 //! let program = Program::new(&[
 //!     Segment::of("cycloidal", 120.0, 20.0).unwrap(),
@@ -13,8 +13,7 @@
 //!     Segment::of("cycloidal", 120.0, -20.0).unwrap(),
 //!     Segment::of("dwell", 60.0, 0.0).unwrap(),
 //! ])?;
-//! let kind = FollowerKind::by_id("translating-roller").unwrap();
-//! let follower = Follower::new(kind, 40.0, [10.0, 0.0, 0.0, 0.0], Rotation::CounterClockwise)?;
+//! let follower = Follower::translating_roller(40.0, 10.0)?;
 //! let analysis = Analysis::of(&Cam::new(program, follower), 360);
 //! assert_eq!(analysis.level, Level::LowSpeed); // a cycloidal's jerk steps where a dwell begins
 //! # Ok::<(), levalab_core::CamError>(())
@@ -48,6 +47,7 @@ mod parameter;
 mod program;
 mod replay;
 mod samples;
+mod search;
 mod series;
 mod sizing;
 mod stretch;

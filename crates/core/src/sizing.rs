@@ -1,7 +1,8 @@
 //! The smallest cam that passes, and the eccentricity that balances the pressure angle: solved, not stepped.
 
-use crate::extreme::{extremes, root};
+use crate::extreme::extremes;
 use crate::samples::{LEAST_STEPS, Quantity, Samples};
+use crate::search::{self, root};
 use crate::{Analysis, Body, Cam, Closure, Cycle, Drive, Program, Replay, Segment};
 
 /// Steps of the first, coarse look at a candidate cam.
@@ -114,23 +115,22 @@ pub(crate) fn nearest_length(cam: &Cam, index: usize, (low, high): (f64, f64), r
     })?;
     let towards_now = if first > now { first / FINE_STRIDE } else { first * FINE_STRIDE };
     let exact = |value: f64| shortfall(value, LEAST_STEPS);
-    let (mut fails, mut passes) = (towards_now, first);
-    let shortfall_there = exact(fails);
-    if shortfall_there.is_finite() && shortfall_there > 0.0 {
-        passes = root(fails, passes, exact);
-        passes *= if first > now { 1.0 + INSIDE } else { 1.0 - INSIDE };
+    let shortfall_there = exact(towards_now);
+    let passes = if shortfall_there.is_finite() && shortfall_there > 0.0 {
+        root(towards_now, first, exact) * if first > now { 1.0 + INSIDE } else { 1.0 - INSIDE }
     } else {
-        while (passes - fails).abs() > LENGTH_TOLERANCE * now && !replay.is_short() {
-            let middle = 0.5 * (fails + passes);
-            if exact(middle) <= 0.0 { passes = middle } else { fails = middle }
-        }
-    }
+        let close = |passes: f64, fails: f64| (passes - fails).abs() <= LENGTH_TOLERANCE * now || replay.is_short();
+        search::boundary((first, towards_now), close, |value| exact(value) <= 0.0)
+    };
     let moved = with(passes)?;
     (inside(&passes) && replay.holds(|| geometry_passes(&moved))).then_some(passes)
 }
 
 /// A length of a follower is halved down to this part of it where its boundary is no root.
 const LENGTH_TOLERANCE: f64 = 1e-6;
+
+/// A size is halved down to this part of it where its boundary is no root.
+const SIZE_TOLERANCE: f64 = 1e-12;
 
 /// The least size for which a shortfall, looked at in so many steps, is none.
 fn boundary(cam: &Cam, shortfall: impl Fn(f64, usize) -> f64) -> Option<f64> {
@@ -146,7 +146,14 @@ fn boundary(cam: &Cam, shortfall: impl Fn(f64, usize) -> f64) -> Option<f64> {
         }
     };
     let exact = |radius: f64| shortfall(radius, LEAST_STEPS);
-    let solved = if exact(low).is_finite() { root(low, high, exact) } else { bisect(low, high, exact) };
+    let solved = if exact(low).is_finite() {
+        root(low, high, exact)
+    } else {
+        // The shortfall is infinite where the geometry cannot be. A boundary at zero is left where the base circle has vanished.
+        let vanished = VANISHED * high;
+        let close = |passes: f64, fails: f64| passes - fails <= SIZE_TOLERANCE * passes || passes <= vanished;
+        search::boundary((high, low), close, |size| exact(size) <= 0.0)
+    };
     Some(solved * (1.0 + INSIDE))
 }
 
@@ -248,16 +255,4 @@ fn candidates(cam: &Cam, pivot_distance: f64) -> Vec<f64> {
     };
     let low = low.max(0.0);
     (1..CANDIDATES).map(|i| low + (high - low) * i as f64 / CANDIDATES as f64).collect()
-}
-
-/// The boundary of a condition that is infinite on its failing side.
-///
-/// A boundary at zero is never reached: it is left where the base circle has vanished beside the one started from.
-fn bisect(mut low: f64, mut high: f64, shortfall: impl Fn(f64) -> f64) -> f64 {
-    let vanished = VANISHED * high;
-    while high - low > 1e-12 * high && high > vanished {
-        let middle = 0.5 * (low + high);
-        if shortfall(middle) > 0.0 { low = middle } else { high = middle }
-    }
-    high
 }

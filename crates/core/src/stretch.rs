@@ -1,6 +1,6 @@
 //! A smooth stretch of the motion.
 
-use crate::extreme::root;
+use crate::search::root;
 use crate::{Form, Svaj};
 use std::f64::consts::{PI, TAU};
 

@@ -1,7 +1,7 @@
 //! The exports in the browser: converts, calls, copies out. A module of its own, so that a page that exports nothing does not load it.
 
 use levalab_export::{DiagramChoice, Format, Keyway, Order, Refusal, Separator, Subject, Table};
-use levalab_format::{Design, DesignError};
+use levalab_format::{DesignError, Study};
 use levalab_words::Language;
 use serde::Deserialize;
 use serde_json::Value;
@@ -52,9 +52,8 @@ pub fn make(
 
 fn made(value: &Value, order: &Order, language: Language) -> Result<Vec<u8>, String> {
     let wrong = |error: DesignError| levalab_words::design_error(language, &error);
-    let (design, cam) = Design::open(value).map_err(wrong)?;
-    let second = design.second(&cam).map_err(wrong)?;
-    let subject = Subject { design: &design, cam: &cam, second: second.as_ref(), language };
+    let study = Study::open(value, 1).map_err(wrong)?;
+    let subject = Subject { study: &study, language };
     order.make(&subject).map_err(|refusal: Refusal| refusal.sentence(language))
 }
 

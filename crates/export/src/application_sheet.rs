@@ -10,12 +10,12 @@ use levalab_format::ApplicationDesign;
 
 /// Its rows; none without an application.
 pub(crate) fn application(subject: &Subject, step: Step) -> Option<Vec<Row>> {
-    let set = subject.design.application.as_ref()?;
+    let set = subject.design().application.as_ref()?;
     let language = subject.language;
-    let analysis = Analysis::of(subject.cam, step.count());
-    let outcome = set.outcome(subject.design, subject.cam, &analysis);
-    let unit = |magnitude: Magnitude| subject.design.length_unit.unit_of(magnitude);
-    let place = if subject.travels() { subject.design.length_unit.symbol() } else { "θ, °" };
+    let outcome = subject.study.outcome()?;
+    let rows_of = subject.study.first().with_rows(step.count());
+    let unit = |magnitude: Magnitude| subject.design().length_unit.unit_of(magnitude);
+    let place = if subject.travels() { subject.design().length_unit.symbol() } else { "θ, °" };
     let said = |word: Word| match word {
         Word::At => format!("{} ({place})", word.said(language)),
         _ => word.said(language).to_owned(),
@@ -51,7 +51,7 @@ pub(crate) fn application(subject: &Subject, step: Step) -> Option<Vec<Row>> {
         }));
     }
     rows.push(Row::gap());
-    rows.extend(by_angle(subject, set, &analysis));
+    rows.extend(by_angle(subject, set, rows_of.analysis()));
     Some(rows)
 }
 
@@ -59,7 +59,7 @@ pub(crate) fn application(subject: &Subject, step: Step) -> Option<Vec<Row>> {
 pub(crate) fn columns(subject: &Subject, set: &ApplicationDesign, analysis: &Analysis) -> Vec<(String, Vec<f64>)> {
     let each = set.application.outputs.iter().map(|output| {
         let name = head(subject, output.id, output.symbol, output.magnitude);
-        (name, tidied(set.column(subject.design, analysis, output), false))
+        (name, tidied(set.column(subject.design(), analysis, output), false))
     });
     each.collect()
 }
@@ -79,5 +79,5 @@ fn by_angle(subject: &Subject, set: &ApplicationDesign, analysis: &Analysis) -> 
 
 fn head(subject: &Subject, id: &'static str, symbol: &str, magnitude: Magnitude) -> String {
     let name = levalab_words::part_head(subject.language, id);
-    format!("{name} {symbol} ({})", subject.design.length_unit.unit_of(magnitude))
+    format!("{name} {symbol} ({})", subject.design().length_unit.unit_of(magnitude))
 }

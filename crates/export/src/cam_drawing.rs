@@ -109,7 +109,7 @@ impl Sheet {
     }
 
     fn draw(&self, subject: &Subject, curves: &[Curve], follower: &[Outline]) -> String {
-        let title = escaped(&subject.design.title);
+        let title = escaped(&subject.design().title);
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {} {}\" \
              fill=\"none\" stroke-linejoin=\"round\" font-family=\"sans-serif\" font-size=\"{TYPE}\">\n<title>{title}</title>\n",
@@ -196,7 +196,7 @@ impl Sheet {
         if subject.travels() {
             return;
         }
-        let arm = 0.3 * subject.design.base_radius;
+        let arm = 0.3 * subject.design().base_radius;
         let ends = [Point::new(arm, 0.0), Point::new(0.0, arm)];
         for end in ends {
             let data = through([self.at(-end), self.at(end)], false);

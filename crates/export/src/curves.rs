@@ -2,6 +2,7 @@
 
 use crate::{Shaft, Step, Subject};
 use levalab_core::{Analysis, Cam, Closure, Column, Point};
+use levalab_format::CamStudy;
 
 /// What a curve is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,19 +54,20 @@ pub(crate) fn curves(subject: &Subject, step: Step, shaft: Option<Shaft>) -> Vec
     all
 }
 
-fn of_cam(cam: &Cam, second: bool, step: Step) -> Vec<Curve> {
-    let analysis = Analysis::of(cam, step.count());
+fn of_cam(cam: &CamStudy, second: bool, step: Step) -> Vec<Curve> {
+    let study = cam.with_rows(step.count());
+    let (cam, analysis) = (study.cam(), study.analysis());
     let follower = &cam.follower;
-    let through = |x, y| shape(cam, &analysis, x, y);
+    let through = |x, y| shape(cam, analysis, x, y);
     let mut shapes = Vec::new();
     if cam.program.is_cyclic() {
-        shapes.push((Role::Base, Some(Shape::Circle(follower.base_radius))));
+        shapes.push((Role::Base, Some(Shape::Circle(follower.base_radius()))));
     } else {
         let ends = [Point::new(0.0, 0.0), Point::new(cam.program.span(), 0.0)];
         shapes.push((Role::Base, Some(Shape::Open(ends.to_vec()))));
     }
     if follower.disc_radius() > 0.0 {
-        let prime = follower.base_radius + follower.disc_radius();
+        let prime = follower.base_radius() + follower.disc_radius();
         shapes.push((Role::Prime, cam.program.is_cyclic().then_some(Shape::Circle(prime))));
         shapes.push((Role::Pitch, through(Column::PitchX, Column::PitchY)));
     }

@@ -80,12 +80,13 @@ const STEPS: usize = 720;
 /// # Errors
 /// When this follower has no such quantity, or the design no application.
 pub fn diagram_svg(subject: &Subject, choice: DiagramChoice, per_second: bool) -> Result<String, Refusal> {
-    let analysis = Analysis::of(subject.cam, STEPS);
+    let study = subject.study.first().with_rows(STEPS);
+    let analysis = study.analysis();
     let plots = match choice {
-        DiagramChoice::Svaj => of_motion(subject, &analysis, &SVAJ, per_second),
-        DiagramChoice::One(quantity) if !quantity.applies(subject.cam) => return Err(Refusal::NoSuchDiagram),
-        DiagramChoice::One(quantity) => of_motion(subject, &analysis, &[quantity], per_second),
-        DiagramChoice::Application => of_application(subject, &analysis, per_second).ok_or(Refusal::NoApplication)?,
+        DiagramChoice::Svaj => of_motion(subject, analysis, &SVAJ, per_second),
+        DiagramChoice::One(quantity) if !quantity.applies(subject.cam()) => return Err(Refusal::NoSuchDiagram),
+        DiagramChoice::One(quantity) => of_motion(subject, analysis, &[quantity], per_second),
+        DiagramChoice::Application => of_application(subject, analysis, per_second).ok_or(Refusal::NoApplication)?,
     };
     Ok(stacked(subject, &plots))
 }
@@ -93,10 +94,10 @@ pub fn diagram_svg(subject: &Subject, choice: DiagramChoice, per_second: bool) -
 const SVAJ: [Quantity; 4] = [Quantity::S, Quantity::V, Quantity::A, Quantity::J];
 
 fn of_motion(subject: &Subject, analysis: &Analysis, quantities: &[Quantity], per_second: bool) -> Vec<Plot> {
-    let timing = if per_second { Timing::PerSecond(subject.design.omega()) } else { Timing::PerRadian };
+    let timing = if per_second { Timing::PerSecond(subject.design().omega()) } else { Timing::PerRadian };
     let plot = |&quantity: &Quantity| {
         let (letter, name, unit) = naming(subject, quantity, per_second);
-        let diagram = Diagram::of(quantity, subject.cam, analysis, timing);
+        let diagram = Diagram::of(quantity, subject.cam(), analysis, timing);
         Plot { diagram, letter, name: name.to_owned(), unit, against: "", look: look(quantity) }
     };
     quantities.iter().map(plot).collect()
@@ -104,18 +105,18 @@ fn of_motion(subject: &Subject, analysis: &Analysis, quantities: &[Quantity], pe
 
 /// Every output, the points to hit in the main one; none when nothing is driven.
 fn of_application(subject: &Subject, analysis: &Analysis, against_time: bool) -> Option<Vec<Plot>> {
-    let set = subject.design.application.as_ref()?;
-    let (values, omega) = (set.core_values(), subject.design.omega());
-    let targets = set.outcome(subject.design, subject.cam, analysis).targets;
+    let set = subject.design().application.as_ref()?;
+    let (values, omega) = (set.core_values(), subject.design().omega());
+    let targets = set.outcome(subject.design(), subject.cam(), analysis).targets;
     let targets: Vec<(f64, f64)> = targets.iter().map(|target| (target.theta, target.value)).collect();
     let plot = |(k, output): (usize, &'static Output)| {
         let own = if k == set.output { targets.as_slice() } else { &[] };
-        let diagram = Diagram::of_output(output, &values, subject.cam, analysis, omega, own);
+        let diagram = Diagram::of_output(output, &values, subject.cam(), analysis, omega, own);
         Plot {
             diagram: if against_time { diagram.against_time(omega) } else { diagram },
             letter: output.symbol,
             name: levalab_words::part_name(subject.language, output.id).to_owned(),
-            unit: subject.design.length_unit.unit_of(output.magnitude).to_owned(),
+            unit: subject.design().length_unit.unit_of(output.magnitude).to_owned(),
             against: if against_time { ", t (s)" } else { "" },
             look: OUTPUT_LOOKS[k.min(1)],
         }
@@ -152,7 +153,7 @@ fn stacked(subject: &Subject, plots: &[Plot]) -> String {
         drawn += &picture.replacen("<svg ", &format!("<svg x=\"{MARGIN}\" y=\"{}\" ", short(y + HEAD)), 1);
         y += HEAD + style.height;
     }
-    let (width, height, title) = (WIDTH + 2.0 * MARGIN, y + MARGIN, escaped(&subject.design.title));
+    let (width, height, title) = (WIDTH + 2.0 * MARGIN, y + MARGIN, escaped(&subject.design().title));
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\">\n\
          <title>{title}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n\
@@ -170,7 +171,7 @@ fn style((curve, dash): (&str, &[f64]), language: Language, height: f64, last: b
         curve: colour(curve).unwrap_or(usual.curve),
         dash: dash.to_vec(),
         x_labels: last,
-        decimal_comma: language == Language::Es,
+        decimal_sign: language.decimal_sign(),
         ..usual
     }
 }
@@ -201,8 +202,8 @@ fn naming(subject: &Subject, quantity: Quantity, per_second: bool) -> (&'static 
     };
     let unit = match quantity {
         Quantity::PressureAngle => "°".to_owned(),
-        Quantity::Rho | Quantity::Contact => subject.design.length_unit.symbol().to_owned(),
+        Quantity::Rho | Quantity::Contact => subject.design().length_unit.symbol().to_owned(),
         _ => subject.unit(order, per_second),
     };
-    (Signs::of(subject.design.notation).symbol(letters[usize::from(per_second)]), word.said(subject.language), unit)
+    (Signs::of(subject.design().notation).symbol(letters[usize::from(per_second)]), word.said(subject.language), unit)
 }

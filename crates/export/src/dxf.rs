@@ -29,7 +29,7 @@ pub fn dxf(subject: &Subject, step: Step, shaft: Option<Shaft>) -> Result<Vec<u8
     }
     let mut drawing = Drawing::new();
     drawing.header.version = VERSION;
-    drawing.header.default_drawing_units = match subject.design.length_unit {
+    drawing.header.default_drawing_units = match subject.design().length_unit {
         LengthUnit::Millimetre => Units::Millimeters,
         LengthUnit::Centimetre => Units::Centimeters,
         LengthUnit::Metre => Units::Meters,
@@ -96,7 +96,7 @@ fn add_title(drawing: &mut Drawing, subject: &Subject) {
     let text = Text {
         location: Point::new(-radius, lowest - 3.0 * TEXT * radius, 0.0),
         text_height: TEXT * radius,
-        value: plain(&format!("{} ({})", subject.design.title, subject.design.length_unit.symbol())),
+        value: plain(&format!("{} ({})", subject.design().title, subject.design().length_unit.symbol())),
         ..Text::default()
     };
     add(drawing, name, EntityType::Text(text));

@@ -1,6 +1,7 @@
 //! The follower at θ = 0, as outlines.
 
-use levalab_core::{Analysis, Body, Cam, Closure, Contact, ContactKind, Element, Point};
+use levalab_core::{Body, Closure, Contact, ContactKind, Element, Point};
+use levalab_format::CamStudy;
 use std::f64::consts::{PI, TAU};
 
 /// The measure of all thicknesses, as a part of the cam's greatest radius.
@@ -18,43 +19,46 @@ pub(crate) enum Outline {
 }
 
 /// The outlines of the follower of a pair of cams, or of one, the lowest first; `reach` is the greatest radius of the cams.
-pub(crate) fn follower<'a>(cams: impl Iterator<Item = &'a Cam>, reach: f64) -> Vec<Outline> {
+pub(crate) fn follower<'a>(cams: impl Iterator<Item = &'a CamStudy>, reach: f64) -> Vec<Outline> {
     let t = THICKNESS * reach;
     let mut all = Vec::new();
-    for (k, cam) in cams.enumerate() {
+    for (k, study) in cams.enumerate() {
+        let cam = study.cam();
         let (_, contact) = cam.at(0.0);
-        match cam.follower.body {
+        match cam.follower.body() {
             // Of a second cam only what touches is drawn: the rest is the first follower's.
-            _ if k > 0 => all.push(element(cam, &contact, t)),
-            Body::Slide => all.extend(sliding(cam, &contact, t)),
-            Body::Swing { pivot } => all.extend(swinging(cam, &contact, pivot, t)),
+            _ if k > 0 => all.push(element(study, &contact, t)),
+            Body::Slide => all.extend(sliding(study, &contact, t)),
+            Body::Swing { pivot } => all.extend(swinging(study, &contact, pivot, t)),
         }
         if cam.closure == Closure::Yoke {
             let far = cam.at(PI).1;
             let across = Contact { point: -far.point, trace: -far.trace, normal: -far.normal, ..far };
-            all.push(element(cam, &across, t));
+            all.push(element(study, &across, t));
         }
     }
     all
 }
 
 /// What touches the cam, alone.
-fn element(cam: &Cam, contact: &Contact, t: f64) -> Outline {
+fn element(study: &CamStudy, contact: &Contact, t: f64) -> Outline {
+    let cam = study.cam();
     let Contact { trace, point, normal, .. } = *contact;
-    match cam.follower.element {
+    match cam.follower.element() {
         Element::Disc { radius, .. } => Outline::Disc(trace, radius.max(0.1 * t)),
         Element::Face { .. } => {
-            let (from, to) = face_range(cam);
+            let (from, to) = face_range(study);
             let half = from.abs().max(to.abs()) + 1.4 * t;
             plate(point, normal * Point::i(), normal, -half, half, t)
         }
     }
 }
 
-fn sliding(cam: &Cam, contact: &Contact, t: f64) -> Vec<Outline> {
+fn sliding(study: &CamStudy, contact: &Contact, t: f64) -> Vec<Outline> {
+    let cam = study.cam();
     let Contact { trace, point, normal, .. } = *contact;
     let up = |x: f64, y: f64| Point::new(x, y);
-    match (cam.follower.element, cam.follower.kind.contact) {
+    match (cam.follower.element(), cam.follower.kind().contact) {
         (Element::Disc { radius, .. }, ContactKind::Roller) => {
             let half = (0.5 * radius).clamp(0.4 * t, 1.1 * t);
             let mut all = stem(trace, half, trace.im, trace.im + radius + 5.0 * t, t);
@@ -63,7 +67,7 @@ fn sliding(cam: &Cam, contact: &Contact, t: f64) -> Vec<Outline> {
             all
         }
         (Element::Disc { radius, .. }, ContactKind::Curved) => {
-            let arc = (0.12_f64.max(1.5 * t / radius) + steepest(cam)).min(1.3);
+            let arc = (0.12_f64.max(1.5 * t / radius) + steepest(study)).min(1.3);
             let on_arc = |k: i32| trace + Point::from_polar(radius, -PI / 2.0 + arc * f64::from(k) / 24.0);
             let face: Vec<Point> = (-24..=24).map(on_arc).collect();
             let top = trace.im - radius * arc.cos() + 0.8 * t;
@@ -83,7 +87,7 @@ fn sliding(cam: &Cam, contact: &Contact, t: f64) -> Vec<Outline> {
             let along = normal * -Point::i();
             // Where the face meets the follower's axis.
             let axis = point - along * (point.re / along.re);
-            let (from, to) = face_range(cam);
+            let (from, to) = face_range(study);
             let (a, b) = ((from / along.re).min(-0.9 * t) - 1.4 * t, (to / along.re).max(0.9 * t) + 1.4 * t);
             let mut all = stem(axis, 0.9 * t, axis.im, axis.im + 6.0 * t, t);
             all.push(plate(axis, along, normal, a, b, t));
@@ -92,11 +96,12 @@ fn sliding(cam: &Cam, contact: &Contact, t: f64) -> Vec<Outline> {
     }
 }
 
-fn swinging(cam: &Cam, contact: &Contact, pivot: Point, t: f64) -> Vec<Outline> {
+fn swinging(study: &CamStudy, contact: &Contact, pivot: Point, t: f64) -> Vec<Outline> {
+    let cam = study.cam();
     let Contact { trace, point, normal, .. } = *contact;
     let ground = [Point::new(0.0, 0.0), Point::new(1.6 * t, -2.6 * t), Point::new(-1.6 * t, -2.6 * t)];
     let mut all = vec![Outline::Ground(ground.map(|corner| pivot + corner).to_vec())];
-    match cam.follower.element {
+    match cam.follower.element() {
         Element::Disc { radius, .. } => {
             let arm = trace - pivot;
             let side = arm / arm.norm() * Point::i() * (0.5 * t);
@@ -108,7 +113,7 @@ fn swinging(cam: &Cam, contact: &Contact, pivot: Point, t: f64) -> Vec<Outline> 
             let foot = pivot + normal * ((point - pivot) * normal.conj()).re;
             let along = point - foot;
             let along = if along.norm() > 0.0 { along / along.norm() } else { normal * Point::i() };
-            let (_, to) = face_range(cam);
+            let (_, to) = face_range(study);
             let arm = foot - pivot;
             if arm.norm() > t * 0.1 {
                 let side = along * (0.5 * t);
@@ -122,13 +127,13 @@ fn swinging(cam: &Cam, contact: &Contact, pivot: Point, t: f64) -> Vec<Outline> 
 }
 
 /// Where on the face the contact is, over the turn.
-fn face_range(cam: &Cam) -> (f64, f64) {
-    Analysis::of(cam, 1).summary.reach.map_or((0.0, 0.0), |reach| (reach.min, reach.max))
+fn face_range(study: &CamStudy) -> (f64, f64) {
+    study.analysis().summary.reach.map_or((0.0, 0.0), |reach| (reach.min, reach.max))
 }
 
 /// The greatest |φ|, radians: so far to a side the contact of an arc walks.
-fn steepest(cam: &Cam) -> f64 {
-    Analysis::of(cam, 1).summary.pressure_angle.greatest_size().0
+fn steepest(study: &CamStudy) -> f64 {
+    study.analysis().summary.pressure_angle.greatest_size().0
 }
 
 /// A stem about the follower's axis, and the guide in which it slides.

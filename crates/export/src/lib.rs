@@ -6,12 +6,11 @@
 //!
 //! ```
 //! use levalab_export::{Separator, Step, Subject, Table, csv};
-//! use levalab_format::example;
+//! use levalab_format::{Study, example};
 //! use levalab_words::Language;
 //!
-//! let design = example("9RT").unwrap();
-//! let cam = design.cam()?;
-//! let subject = Subject { design: &design, cam: &cam, second: None, language: Language::Es };
+//! let study = Study::without_columns(example("9RT").unwrap())?;
+//! let subject = Subject { study: &study, language: Language::Es };
 //! let text = csv(&subject, Table::Everything, Step::of_degrees(10.0).unwrap(), Separator::Semicolon);
 //! assert_eq!(text.lines().nth(4).unwrap().split(';').nth(2).unwrap(), "6,72134812486");
 //! # Ok::<(), levalab_format::DesignError>(())

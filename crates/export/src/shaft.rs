@@ -41,11 +41,15 @@ impl Shaft {
             positive("keyway", width)?;
             positive("keyway", depth)?;
             if width >= self.bore {
-                return Err(Refusal::KeywayTooWide { found: width, bore: self.bore, unit: subject.design.length_unit });
+                return Err(Refusal::KeywayTooWide {
+                    found: width,
+                    bore: self.bore,
+                    unit: subject.design().length_unit,
+                });
             }
             reach = (width / 2.0).hypot(radius + depth);
         }
-        if reach < room { Ok(()) } else { Err(Refusal::NoRoom { reach, room, unit: subject.design.length_unit }) }
+        if reach < room { Ok(()) } else { Err(Refusal::NoRoom { reach, room, unit: subject.design().length_unit }) }
     }
 
     /// Its outline, counter-clockwise.

@@ -5,7 +5,7 @@ use crate::table::{Measure, Table};
 use crate::verdict_sheet::verdict;
 use crate::words::{Word, field};
 use crate::{Step, Subject};
-use levalab_core::{Analysis, FOLLOWERS, LAWS, Law, Parameter, Quantity};
+use levalab_core::{FOLLOWERS, LAWS, Law, Parameter, Quantity};
 use levalab_words::Language;
 use serde_json::Value;
 
@@ -105,17 +105,18 @@ fn by_angle(subject: &Subject, which: Table, step: Step) -> Option<Vec<Row>> {
     }
     let mut table: Vec<(String, Vec<f64>)> = Vec::new();
     for (k, cam) in subject.cams().enumerate() {
-        let analysis = Analysis::of(cam, step.count());
+        let cam = cam.with_rows(step.count());
+        let analysis = cam.analysis();
         // Both cams turn together: one θ serves.
         let shared = |measure: Measure| k > 0 && matches!(measure, Measure::Theta | Measure::Time);
         for &measure in which.measures().iter().filter(|measure| !shared(**measure)) {
-            let Some(values) = measure.values(subject, &analysis) else { continue };
+            let Some(values) = measure.values(subject, analysis) else { continue };
             let head = measure.head(subject);
             let head = if k == 0 { head } else { levalab_words::of_second_cam(subject.language, &head) };
             table.push((head, tidy(measure, values)));
         }
-        if let Some(set) = subject.design.application.as_ref().filter(|_| k == 0 && which == Table::Everything) {
-            table.extend(columns(subject, set, &analysis));
+        if let Some(set) = subject.design().application.as_ref().filter(|_| k == 0 && which == Table::Everything) {
+            table.extend(columns(subject, set, analysis));
         }
     }
     // θ and what is beside it whatever the table, are no table.
@@ -147,7 +148,7 @@ fn design(subject: &Subject) -> Vec<Row> {
     let language = subject.language;
     let said = |word: Word| word.said(language).to_owned();
     let mut rows = vec![Row::head([said(Word::Magnitude), said(Word::Value), said(Word::Unit)])];
-    let file = subject.design.to_value();
+    let file = subject.design().to_value();
     let own = |key: &str| file.get(key).and_then(Value::as_object);
     for key in ["title", "length_unit"] {
         rows.push(Row::of([field(key, language).into(), cell(&file[key], language), Cell::empty()]));
@@ -156,7 +157,7 @@ fn design(subject: &Subject) -> Vec<Row> {
         let unit = speed.get("unit").and_then(Value::as_str).unwrap_or_default();
         rows.push(Row::of([field("speed", language).into(), cell(&speed["value"], language), unit.into()]));
     }
-    let follower = levalab_words::follower(language, subject.design.follower);
+    let follower = levalab_words::follower(language, subject.design().follower);
     for part in ["cam", "follower", "conjugate"] {
         if part == "follower" {
             rows.push(Row::of([field(part, language).into(), follower.into(), Cell::empty()]));
@@ -191,7 +192,7 @@ fn segments(subject: &Subject, segments: &Value) -> Vec<Row> {
         }
     }
     let travel = subject.unit(0, false);
-    let place = if subject.travels() { subject.design.length_unit.symbol() } else { "°" };
+    let place = if subject.travels() { subject.design().length_unit.symbol() } else { "°" };
     let said = |word: Word| word.said(language);
     let heads = [
         said(Word::Segment).to_owned(),
@@ -202,7 +203,7 @@ fn segments(subject: &Subject, segments: &Value) -> Vec<Row> {
     ];
     let heads = heads.into_iter().chain(others.iter().map(|key| field(key, language).to_owned()));
     let mut rows = vec![Row::head(heads)];
-    let borders = subject.cam.program.borders();
+    let borders = subject.cam().program.borders();
     for (number, (segment, from)) in segments.iter().zip(borders).enumerate() {
         let law = segment["law"].as_str().unwrap_or_default();
         let law = Law::by_id(law)
@@ -210,7 +211,7 @@ fn segments(subject: &Subject, segments: &Value) -> Vec<Row> {
         let told = [
             Cell::Number(number as f64 + 1.0),
             Cell::Text(law),
-            subject.design.place(*from).into(),
+            subject.design().place(*from).into(),
             cell(&segment["beta"], language),
             segment.get("rise").map_or(Cell::Number(0.0), |rise| cell(rise, language)),
         ];
@@ -236,10 +237,12 @@ fn unit(key: &str, subject: &Subject) -> &'static str {
     let known = |parameter: &&Parameter| parameter.key == key;
     match parameters.into_iter().find(known).map(|parameter| parameter.quantity) {
         Some(Quantity::Angle) => "°",
-        Some(Quantity::Height) if subject.design.is_oscillating() => "°",
-        Some(Quantity::Length | Quantity::Span | Quantity::Height) => subject.design.length_unit.symbol(),
+        Some(Quantity::Height) if subject.design().is_oscillating() => "°",
+        Some(Quantity::Length | Quantity::Span | Quantity::Height) => subject.design().length_unit.symbol(),
         None if key == "angle" => "°",
-        None if ["base_radius", "breadth", "length", "distance"].contains(&key) => subject.design.length_unit.symbol(),
+        None if ["base_radius", "breadth", "length", "distance"].contains(&key) => {
+            subject.design().length_unit.symbol()
+        }
         Some(Quantity::Ratio) | None => "",
     }
 }

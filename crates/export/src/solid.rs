@@ -3,7 +3,8 @@
 use crate::curves::{Role, curves, room};
 use crate::shaft::positive;
 use crate::{Refusal, Shaft, Step, Subject};
-use levalab_core::{Analysis, Cam, Closure, FindingKind, Point};
+use levalab_core::{Closure, FindingKind, Point};
+use levalab_format::CamStudy;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
@@ -53,12 +54,12 @@ pub(crate) fn solid(subject: &Subject, step: Step, thickness: f64, shaft: Option
 }
 
 /// Refuses a cam whose profile bounds nothing.
-fn sound(cam: &Cam) -> Result<(), Refusal> {
+fn sound(cam: &CamStudy) -> Result<(), Refusal> {
     let broken = |kind: &FindingKind| {
         let cut = matches!(kind, FindingKind::Undercut | FindingKind::ConcaveFlat | FindingKind::SelfCrossing);
-        cut || cam.closure == Closure::Groove && *kind == FindingKind::GrooveUndercut
+        cut || cam.cam().closure == Closure::Groove && *kind == FindingKind::GrooveUndercut
     };
-    let found = Analysis::of(cam, 1).findings.iter().map(|finding| finding.kind).find(broken);
+    let found = cam.analysis().findings.iter().map(|finding| finding.kind).find(broken);
     found.map_or(Ok(()), |kind| Err(Refusal::NotSolid { why: Some(kind) }))
 }
 

@@ -178,7 +178,7 @@ impl Measure {
         // Coordinates and angles of the profile are no magnitudes of a notation.
         let symbol = match self {
             Self::X | Self::PitchX | Self::OuterX | Self::Y | Self::PitchY | Self::OuterY => ours.to_owned(),
-            _ => Signs::of(subject.design.notation).plain(ours),
+            _ => Signs::of(subject.design().notation).plain(ours),
         };
         match self.unit(subject) {
             unit if unit.is_empty() => format!("{} {symbol}", word.said(subject.language)),
@@ -211,7 +211,7 @@ impl Measure {
     fn unit(self, subject: &Subject) -> String {
         let degrees = || "°".to_owned();
         match self {
-            Self::Theta if subject.travels() => subject.design.length_unit.symbol().to_owned(),
+            Self::Theta if subject.travels() => subject.design().length_unit.symbol().to_owned(),
             Self::Theta | Self::PressureAngle | Self::Angle | Self::PitchAngle | Self::OuterAngle => degrees(),
             Self::Time => "s".to_owned(),
             Self::S => subject.unit(0, false),
@@ -221,14 +221,14 @@ impl Measure {
             Self::TimedV => subject.unit(1, true),
             Self::TimedA => subject.unit(2, true),
             Self::TimedJ => subject.unit(3, true),
-            _ => subject.design.length_unit.symbol().to_owned(),
+            _ => subject.design().length_unit.symbol().to_owned(),
         }
     }
 
     /// Its values at every step of the analysis; nothing when it does not apply.
     pub fn values(self, subject: &Subject, analysis: &Analysis) -> Option<Vec<f64>> {
-        let of = |column| report::column(subject.design, analysis, column);
-        let omega = subject.design.omega();
+        let of = |column| report::column(subject.design(), analysis, column);
+        let omega = subject.design().omega();
         let times = |column, factor: f64| Some(of(column)?.into_iter().map(|value| value * factor).collect());
         let turned = |x, y, value: fn(Point) -> f64| {
             Some(of(x)?.into_iter().zip(of(y)?).map(|(x, y)| value(Point::new(x, y))).collect())

@@ -4,7 +4,8 @@ use crate::Subject;
 use crate::sheets::{Cell, Row};
 use crate::table::Measure;
 use crate::words::Word;
-use levalab_core::{Analysis, Cam, Column, profiles_coincide};
+use levalab_core::{Column, profiles_coincide};
+use levalab_format::CamStudy;
 use levalab_format::report::Report;
 use levalab_words::Signs;
 
@@ -14,7 +15,7 @@ pub(crate) fn verdict(subject: &Subject) -> Vec<Row> {
     for (k, cam) in subject.cams().enumerate() {
         if k > 0 {
             rows.extend([Row::gap(), Row::head([levalab_words::second_cam(subject.language).to_owned()])]);
-            if profiles_coincide(subject.cam, cam) {
+            if profiles_coincide(subject.cam(), cam.cam()) {
                 rows.push(Row::of([levalab_words::profiles_coincide(subject.language).into()]));
             }
         }
@@ -23,20 +24,18 @@ pub(crate) fn verdict(subject: &Subject) -> Vec<Row> {
     rows
 }
 
-fn of_cam(subject: &Subject, cam: &Cam) -> Vec<Row> {
-    let Subject { design, language, .. } = *subject;
+fn of_cam(subject: &Subject, cam: &CamStudy) -> Vec<Row> {
+    let (design, language) = (subject.design(), subject.language);
     let place = if subject.travels() { design.length_unit.symbol() } else { "θ, °" };
     let said = |word: Word| match word {
         Word::At => format!("{} ({place})", word.said(language)),
         _ => word.said(language).to_owned(),
     };
-    let analysis = Analysis::of(cam, 1);
-    let report = Report::of(design, cam, &analysis);
-    let cures = levalab_format::cures(design, cam, &analysis);
+    let (report, cures) = (cam.report(), cam.cures());
     let mut rows = vec![
         Row::head([said(Word::Verdict)]),
         Row::of([levalab_words::level(language, report.level).into()]),
-        Row::of([Cell::Text(levalab_words::headline(language, &report))]),
+        Row::of([Cell::Text(levalab_words::headline(language, report))]),
         Row::gap(),
     ];
     if !report.findings.is_empty() {
@@ -67,13 +66,13 @@ fn of_cam(subject: &Subject, cam: &Cam) -> Vec<Row> {
         let head = measure(name)?.head(subject);
         Some(Row::of([Cell::Text(head), range.min.into(), range.min_at.into(), range.max.into(), range.max_at.into()]))
     }));
-    rows.extend(curvature(subject, &report));
+    rows.extend(curvature(subject, report));
     rows
 }
 
 /// Where the profile is hollow in part: the sharpest convex place, the tightest hollow, and where one passes into the other.
 fn curvature(subject: &Subject, report: &Report) -> Vec<Row> {
-    let Subject { design, language, .. } = *subject;
+    let (design, language) = (subject.design(), subject.language);
     let mut rows = Vec::new();
     if report.tightest_hollow.is_none() {
         return rows;

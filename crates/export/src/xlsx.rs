@@ -17,7 +17,7 @@ pub fn xlsx(subject: &Subject, step: Step) -> Result<Vec<u8>, Refusal> {
 
 fn write(subject: &Subject, step: Step) -> Result<Vec<u8>, XlsxError> {
     let mut book = Workbook::new();
-    book.set_properties(&DocProperties::new().set_title(&subject.design.title).set_comment("LevaLab"));
+    book.set_properties(&DocProperties::new().set_title(&subject.design().title).set_comment("LevaLab"));
     for table in Table::SHEETS {
         if let Some(sheet) = sheet(subject, table, step) {
             fill(book.add_worksheet(), &sheet)?;

@@ -3,7 +3,7 @@
 use acadrust::{CadDocument, DxfReader, EntityType};
 use levalab_core::{Analysis, Column};
 use levalab_export::{Keyway, Shaft, Step, Subject, dxf};
-use levalab_format::{Design, EXAMPLES, LengthUnit, example};
+use levalab_format::{Design, EXAMPLES, LengthUnit, Study, example};
 use levalab_words::Language;
 use std::io::Cursor;
 
@@ -11,9 +11,8 @@ use std::io::Cursor;
 const TOLERANCE: f64 = 1e-12;
 
 fn read(design: &Design, language: Language, shaft: Option<Shaft>) -> CadDocument {
-    let cam = design.cam().expect("a good design");
-    let bytes =
-        dxf(&Subject { design, cam: &cam, second: None, language }, Step::OF_CURVES, shaft).expect("it can be drawn");
+    let study = Study::without_columns(design.clone()).expect("a good design");
+    let bytes = dxf(&Subject { study: &study, language }, Step::OF_CURVES, shaft).expect("it can be drawn");
     DxfReader::from_reader(Cursor::new(bytes)).expect("it is DXF").read().expect("all of it is understood")
 }
 

@@ -4,7 +4,7 @@
 mod golden;
 
 use levalab_export::{CamDrawing, DiagramChoice, Keyway, Refusal, Shaft, Subject, cam_svg, diagram_svg, png};
-use levalab_format::{Design, example};
+use levalab_format::{Design, Study, example};
 use levalab_words::Language;
 
 /// Drawings have three decimals; sines are not the same on all machines.
@@ -13,8 +13,8 @@ const TOLERANCE: f64 = 0.0021;
 const A4: CamDrawing = CamDrawing { room: Some([180.0, 200.0]), check: true, shaft: None };
 
 fn drawn(design: &Design, language: Language, options: &CamDrawing) -> String {
-    let cam = design.cam().expect("a good design");
-    cam_svg(&Subject { design, cam: &cam, second: None, language }, options).expect("it can be drawn")
+    let study = Study::without_columns(design.clone()).expect("a good design");
+    cam_svg(&Subject { study: &study, language }, options).expect("it can be drawn")
 }
 
 fn compare(name: &str, drawn: &str) {
@@ -45,8 +45,8 @@ fn a_cam_that_is_larger_than_the_paper_tells_its_scale() {
 fn a_title_is_text_in_every_drawing() {
     let mut design = example("9RT").expect("9RT");
     design.title = "</title><script>1</script> & \"50%\"".to_owned();
-    let cam = design.cam().expect("a good design");
-    let subject = Subject { design: &design, cam: &cam, second: None, language: Language::En };
+    let study = Study::without_columns(design.clone()).expect("a good design");
+    let subject = Subject { study: &study, language: Language::En };
     let diagram = diagram_svg(&subject, DiagramChoice::Svaj, false).expect("it can be drawn");
     for svg in [drawn(&design, Language::En, &A4), diagram] {
         assert!(!svg.contains("<script") && svg.contains("&lt;script&gt;1&lt;/script&gt; &amp; &quot;50%&quot;"));
@@ -57,8 +57,8 @@ fn a_title_is_text_in_every_drawing() {
 #[test]
 fn a_picture_is_as_wide_as_it_was_asked_to_be_and_not_empty() {
     let design = example("R6").expect("R6");
-    let cam = design.cam().expect("R6");
-    let subject = Subject { design: &design, cam: &cam, second: None, language: Language::Es };
+    let study = Study::without_columns(design.clone()).expect("R6");
+    let subject = Subject { study: &study, language: Language::Es };
     let made: Vec<_> = DiagramChoice::all().into_iter().map(|choice| diagram_svg(&subject, choice, true)).collect();
     assert_eq!(made.iter().filter(|made| made.is_err()).count(), 1, "a roller has no contact that walks");
     let mut drawings: Vec<String> = made.into_iter().flatten().collect();
@@ -74,9 +74,8 @@ fn a_picture_is_as_wide_as_it_was_asked_to_be_and_not_empty() {
 #[test]
 fn what_the_follower_drives_is_drawn_with_the_points_to_hit_by_angle_or_against_time() {
     let of = |name: &str, per_second: bool| {
-        let design = example(name).expect(name);
-        let cam = design.cam().expect(name);
-        let subject = Subject { design: &design, cam: &cam, second: None, language: Language::En };
+        let study = Study::without_columns(example(name).expect(name)).expect(name);
+        let subject = Subject { study: &study, language: Language::En };
         diagram_svg(&subject, DiagramChoice::Application, per_second)
     };
     let (by_angle, by_time) = (of("R6", false).expect("R6"), of("R6", true).expect("R6"));

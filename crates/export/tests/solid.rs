@@ -3,7 +3,7 @@
 use levalab_core::{Analysis, Column};
 use levalab_export::{Keyway, Refusal, Shaft, Step, Subject, stl};
 use levalab_format::testing::{self, Random};
-use levalab_format::{CamKind, Design, EXAMPLES, example};
+use levalab_format::{CamKind, Design, EXAMPLES, Study, example};
 use levalab_words::Language;
 use std::collections::HashMap;
 
@@ -72,9 +72,8 @@ fn area(design: &Design, steps: usize, mm: f64) -> f64 {
 }
 
 fn made(design: &Design, step: Step, thickness: f64, shaft: Option<Shaft>) -> Result<Vec<u8>, Refusal> {
-    let cam = design.cam().expect("a good design");
-    let second = design.second(&cam).expect("a good pair");
-    stl(&Subject { design, cam: &cam, second: second.as_ref(), language: Language::En }, step, thickness, shaft)
+    let study = Study::without_columns(design.clone()).expect("a good design");
+    stl(&Subject { study: &study, language: Language::En }, step, thickness, shaft)
 }
 
 #[test]

@@ -4,7 +4,7 @@ use calamine::{Data, Range, Reader, Xlsx, open_workbook_from_rs};
 use levalab_core::{Analysis, Column};
 use levalab_export::{Separator, Step, Subject, Table, csv, xlsx};
 use levalab_format::report::column;
-use levalab_format::{Design, EXAMPLES, example};
+use levalab_format::{Design, EXAMPLES, Study, example};
 use levalab_words::Language;
 use std::io::Cursor;
 
@@ -12,8 +12,8 @@ use std::io::Cursor;
 const TOLERANCE: f64 = 1e-11;
 
 fn with_subject<T>(design: &Design, language: Language, look: impl FnOnce(&Subject) -> T) -> T {
-    let cam = design.cam().expect("a good design");
-    look(&Subject { design, cam: &cam, second: None, language })
+    let study = Study::without_columns(design.clone()).expect("a good design");
+    look(&Subject { study: &study, language })
 }
 
 fn sheets(design: &Design, language: Language, step: Step) -> Vec<(String, Range<Data>)> {

@@ -69,7 +69,7 @@ pub fn joined(value: &Value) -> Result<Joined, DesignError> {
     })?;
     let segments: Vec<Value> = in_degrees(&joining.segments).iter().map(segment_value).collect();
     fields.insert("segments".to_owned(), segments.into());
-    let (design, _) = Design::open(&Value::Object(fields))?;
+    let (design, _, _) = Design::open(&Value::Object(fields))?;
     Ok(Joined { design, choices: joining.choices, taste })
 }
 

@@ -1,9 +1,8 @@
 //! Cams side by side: the figures by which designs are compared, and one program moved by every law in turn.
 
 use crate::cure::{shortest_passing, with_law};
-use crate::report::Report;
-use crate::{Design, DesignError};
-use levalab_core::{Analysis, Cam, Column, LAWS, Law, Level, smallest_base_radius};
+use crate::{CamStudy, Design, DesignError, Study};
+use levalab_core::{Cam, Column, LAWS, Law, Level, smallest_base_radius};
 
 /// What a cam is judged by beside others, in the units of its design. Peaks are the greatest sizes over the turn, whatever the sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,18 +26,15 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// The figures of a design whose (first) cam this is; of a conjugate pair, the motion once and of each limit the worse.
+    /// The figures of a design; of a conjugate pair, the motion once and of each limit the worse.
     #[must_use]
-    pub fn of(design: &Design, cam: &Cam, analysis: &Analysis) -> Self {
-        let figures = Self::of_one(design, cam, analysis);
-        match design.second(cam) {
-            Ok(Some(second)) => figures.worse(&Self::of_one(design, &second, &Analysis::of(&second, LOOK))),
-            _ => figures,
-        }
+    pub fn of(study: &Study) -> Self {
+        let figures = Self::of_one(study.first());
+        study.second().map_or(figures, |second| figures.worse(&Self::of_one(second)))
     }
 
-    fn of_one(design: &Design, cam: &Cam, analysis: &Analysis) -> Self {
-        let report = Report::of(design, cam, analysis);
+    fn of_one(study: &CamStudy) -> Self {
+        let (design, cam, analysis, report) = (study.design(), study.cam(), study.analysis(), study.report());
         let size = |column| report.range(column).map_or(0.0, |range| range.max.abs().max(range.min.abs()));
         let lowest_jump = analysis.joints.iter().filter_map(|joint| joint.jump).min().unwrap_or(u8::MAX);
         let peak = |(order, column)| if lowest_jump < order { f64::INFINITY } else { size(column) };
@@ -117,27 +113,23 @@ pub fn by_law(design: &Design, cam: &Cam, law: &'static Law) -> Design {
     other
 }
 
-/// Steps of a look at a cam; its figures are exact whatever they are.
-const LOOK: usize = 1;
-
 /// A base circle this small beside that of the design is no limit: the search ends where it vanishes.
 const NOTHING: f64 = 1e-6;
 
 fn contender(law: Option<&'static Law>, design: Design) -> Result<Contender, DesignError> {
-    let cam = design.cam()?;
-    // A pair must be one with this law too.
-    design.second(&cam)?;
-    let figures = Figures::of(&design, &cam, &Analysis::of(&cam, LOOK));
-    let told = |exact: f64| if exact < NOTHING * design.base_radius { 0.0 } else { shortest_passing(&cam, exact) };
-    let sized = if design.kind.travel().is_some() { None } else { smallest_base_radius(&cam) };
+    let study = Study::without_columns(design)?;
+    let (design, cam) = (study.design(), study.first().cam());
+    let told = |exact: f64| if exact < NOTHING * design.base_radius { 0.0 } else { shortest_passing(cam, exact) };
+    let sized = if design.kind.travel().is_some() { None } else { smallest_base_radius(cam) };
     let smallest_base_radius = sized.map(told);
-    Ok(Contender { law, design, figures, smallest_base_radius })
+    Ok(Contender { law, design: design.clone(), figures: study.figures(), smallest_base_radius })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::{EXAMPLES, example};
+    use levalab_core::Analysis;
 
     /// The same design by hand: every segment that is no dwell takes the law, and the cam is analysed on its own.
     fn by_hand(design: &Design, law: &'static Law) -> Option<(Cam, Analysis)> {
@@ -200,9 +192,7 @@ mod tests {
 
     #[test]
     fn the_face_is_as_long_as_the_contact_walks() {
-        let design = example("10EX").expect("10EX");
-        let cam = design.cam().expect("a cam");
-        let figures = Figures::of(&design, &cam, &Analysis::of(&cam, 1));
+        let figures = Study::without_columns(example("10EX").expect("10EX")).expect("a cam").figures();
         // An eccentric circle: q = v = ±L/2 · sin θ.
         assert!((figures.face.expect("a face") - 20.0).abs() < 1e-9, "{figures:?}");
         assert!((figures.least_radius.expect("ρ") - 40.0).abs() < 1e-9, "{figures:?}");
@@ -210,15 +200,14 @@ mod tests {
 
     #[test]
     fn a_face_that_swings_is_as_long_as_from_the_foot_of_its_pivot() {
-        let design = example("4PO").expect("4PO");
-        let cam = design.cam().expect("a cam");
-        let analysis = Analysis::of(&cam, 1);
-        let face = analysis.summary.face(&cam, 0.0).expect("a face");
+        let study = Study::without_columns(example("4PO").expect("4PO")).expect("a cam");
+        let cam = study.first().cam();
+        let face = study.first().analysis().summary.face(cam, 0.0).expect("a face");
         let near = |found: f64, expected: f64| assert!((found - expected).abs() < 0.01, "{found}, not {expected}");
         near(face.from, 53.75);
         near(face.to, 83.49);
         near(face.length, 83.49);
-        assert_eq!(Figures::of(&design, &cam, &analysis).face, Some(face.length));
+        assert_eq!(study.figures().face, Some(face.length));
         // Its contact lies where the contact of the motion says at each angle.
         let greatest = (0..3600).map(|k| cam.at(f64::from(k).to_radians() / 10.0).1.reach).fold(0.0, f64::max);
         near(greatest, face.length);

@@ -45,6 +45,7 @@ mod pair;
 mod path;
 mod read;
 pub mod report;
+mod study;
 #[cfg(any(test, feature = "testing"))]
 pub mod testing;
 mod told;
@@ -67,6 +68,7 @@ pub use measure::Measure;
 pub use notation::Notation;
 pub use pair::{Conjugate, Room};
 pub use path::{Path, PathPart, quoted};
+pub use study::{CamStudy, Study};
 pub use told::{ToldCure, ToldFinding, ToldVerdict};
 pub use units::{LengthUnit, MotionUnits, SpeedUnit};
 pub use version::needed_version;

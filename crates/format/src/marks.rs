@@ -89,7 +89,7 @@ mod tests {
         let mut value = example("9RT").expect("9RT").to_value();
         value["segments"] =
             json!([{"law": "dwell", "beta": 60}, segment, {"law": "cycloidal", "beta": 180, "rise": -10}]);
-        let (design, cam) = Design::open(&value).expect("a design");
+        let (design, cam, _) = Design::open(&value).expect("a design");
         marks(&design, &cam)
     }
 

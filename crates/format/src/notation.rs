@@ -83,7 +83,10 @@ mod tests {
                 let turned = notation == Notation::Norton && design.rotation == Rotation::Clockwise;
                 assert_eq!(sign < 0.0, turned);
                 // Nothing but what is shown depends on it.
-                assert_eq!(told.cam().expect("a cam").follower.values, design.cam().expect("a cam").follower.values);
+                assert_eq!(
+                    told.cam().expect("a cam").follower.values(),
+                    design.cam().expect("a cam").follower.values()
+                );
             }
         }
     }

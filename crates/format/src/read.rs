@@ -36,7 +36,7 @@ impl Design {
     /// # Errors
     /// As [`Design::from_json`].
     pub fn from_value(value: &Value) -> Result<Self, DesignError> {
-        Self::open(value).map(|(design, _)| design)
+        Self::open(value).map(|(design, _, _)| design)
     }
 
     /// A design as it stands in an object, its program not looked at.
@@ -44,15 +44,12 @@ impl Design {
         read(value)
     }
 
-    /// Reads a design and gives its cam along with it, since checking the one makes the other.
-    ///
-    /// # Errors
-    /// As [`Design::from_json`].
-    pub fn open(value: &Value) -> Result<(Self, Cam), DesignError> {
+    /// Reads a design with its cam and the second cam of a conjugate pair, since checking the design makes them.
+    pub(crate) fn open(value: &Value) -> Result<(Self, Cam, Option<Cam>), DesignError> {
         let mut design = read(value)?;
-        let cam = design.cam()?;
+        let (first, second) = design.cams()?;
         design.settle_rises();
-        Ok((design, cam))
+        Ok((design, first, second))
     }
 }
 

@@ -28,7 +28,7 @@ fn count() -> usize {
 
 /// The base radius (or the travel) and the lift as a length.
 fn reach(design: &Design, cam: &Cam, s: &Extremes) -> f64 {
-    let lever = match cam.follower.body {
+    let lever = match cam.follower.body() {
         Body::Slide => 1.0,
         Body::Swing { pivot } => cam.follower.value("arm").unwrap_or(pivot.norm()),
     };

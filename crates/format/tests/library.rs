@@ -92,7 +92,7 @@ fn pairs_stand_at_the_distances_of_the_book() {
         let second = design.second(&first).expect(name).expect("a pair");
         assert_eq!(second.program.segments()[0].rise, starts_with, "{name}: the conjugate starts with a return");
         assert_eq!(Analysis::of(&second, 360).level, Level::Acceptable, "{name}");
-        let radius = second.follower.base_radius;
+        let radius = second.follower.base_radius();
         assert!((radius - second_radius).abs() < 1e-12, "{name}: {radius}");
         assert!(!profiles_coincide(&first, &second), "{name} shows two cams");
     }

@@ -12,7 +12,7 @@ use levalab_words::{application_name, part_name};
 
 pub fn write(board: &mut Board, place: &Place) {
     let Some(set) = &board.design().application else { return };
-    let outcome = set.outcome(board.design(), board.cam(), board.subject.analysis);
+    let outcome = set.outcome(board.design(), board.cam(), board.study.analysis());
     let name = application_name(board.language, set.application);
     board.heading(1, two("What the follower drives: {name}", "Lo que mueve el seguidor: {name}"), &[("name", name)]);
     let known = parameters(board, set, &outcome);

@@ -2,11 +2,11 @@
 
 use crate::document::{Block, Line, Table, formula, line};
 use crate::layout::equation;
-use crate::{Subject, number};
+use crate::number;
 use levalab_core::law::Arguments;
 use levalab_core::{Cam, Column};
 use levalab_format::report::scale_of;
-use levalab_format::{Design, MotionUnits};
+use levalab_format::{CamStudy, Design, MotionUnits};
 use levalab_formula::Formula;
 use levalab_formula::curve::Written;
 use levalab_words::Language;
@@ -18,7 +18,7 @@ pub const TIMED: [&str; 4] = ["s", "V", "A", "J"];
 
 /// A board about one cam.
 pub struct Board<'a> {
-    pub subject: &'a Subject<'a>,
+    pub study: &'a CamStudy,
     pub language: Language,
     pub blocks: Vec<Block>,
     /// The laws recognised so far, each with the first segment that has it.
@@ -34,16 +34,16 @@ pub struct KnownLaw {
 }
 
 impl<'a> Board<'a> {
-    pub fn new(subject: &'a Subject<'a>, language: Language) -> Self {
-        Self { subject, language, blocks: Vec::new(), known_laws: Vec::new() }
+    pub fn new(study: &'a CamStudy, language: Language) -> Self {
+        Self { study, language, blocks: Vec::new(), known_laws: Vec::new() }
     }
 
     pub fn design(&self) -> &'a Design {
-        self.subject.design
+        self.study.design()
     }
 
     pub fn cam(&self) -> &'a Cam {
-        self.subject.cam
+        self.study.cam()
     }
 
     /// Words in the language of the board, each `{name}` replaced by what it stands for.
@@ -150,7 +150,7 @@ impl<'a> Board<'a> {
 
     /// A displacement or a derivative of the core; what is rounding beside the greatest is 0.
     pub fn settled(&self, order: usize, value: f64) -> f64 {
-        let summary = &self.subject.analysis.summary;
+        let summary = &self.study.analysis().summary;
         let extremes = [summary.s, summary.v, summary.a, summary.j][order];
         number::settled(value, extremes.greatest_size().0)
     }

@@ -39,9 +39,9 @@ pub fn rules(cam: &Cam, motion: Svaj) -> Rules {
     let follower = &cam.follower;
     let contact = cam.contact(motion);
     let value = |key: &str| follower.value(key).unwrap_or(0.0);
-    let mirrored = if follower.reversed.is_some() { -1.0 } else { 1.0 };
-    let sigma = follower.rotation.sigma() * mirrored;
-    let swings = matches!(follower.body, Body::Swing { .. });
+    let mirrored = if follower.reversed().is_some() { -1.0 } else { 1.0 };
+    let sigma = follower.rotation().sigma() * mirrored;
+    let swings = matches!(follower.body(), Body::Swing { .. });
     let of_s = if swings { Measure::Angle } else { Measure::Length };
     let of_v = if swings { Measure::Number } else { Measure::Length };
     let mut known: Vec<Known> = vec![("s", motion.s, of_s), ("v", motion.v, of_v), ("a", motion.a, of_v)];
@@ -50,14 +50,14 @@ pub fn rules(cam: &Cam, motion: Svaj) -> Rules {
         rules.push(Rule { left, right: right.to_owned(), value, measure });
     };
     let tangent = contact.pressure_angle.tan();
-    let turns = follower.drive == Drive::Turns;
+    let turns = follower.drive() == Drive::Turns;
     if turns {
-        known.push(("R_b", follower.base_radius, Measure::Length));
+        known.push(("R_b", follower.base_radius(), Measure::Length));
     }
-    match (follower.element, follower.body) {
+    match (follower.element(), follower.body()) {
         (Element::Disc { radius, .. }, body) => {
             let rolls = radius > 0.0;
-            let prime = follower.base_radius + radius;
+            let prime = follower.base_radius() + radius;
             if rolls {
                 known.push(("R_f", radius, Measure::Length));
             }
@@ -90,7 +90,7 @@ pub fn rules(cam: &Cam, motion: Svaj) -> Rules {
                     known.push(("A", value("arm"), Measure::Length));
                     known.push(("m", value("pivot_distance"), Measure::Length));
                     known.push(("σ", sigma, Measure::Number));
-                    let opening = follower.opening().unwrap_or(0.0) - follower.reversed.unwrap_or(0.0);
+                    let opening = follower.opening().unwrap_or(0.0) - follower.reversed().unwrap_or(0.0);
                     rule("cos(ξ_0)", &format!("(m^2 + A^2 - {start}^2)/(2m A)"), opening.cos(), Measure::Number);
                     rule("ξ", "ξ_0 + s", opening + motion.s, Measure::Angle);
                     rule("k", "1 + σv", 1.0 + sigma * motion.v, Measure::Number);
@@ -122,7 +122,7 @@ pub fn rules(cam: &Cam, motion: Svaj) -> Rules {
             known.push(("m", value("pivot_distance"), Measure::Length));
             known.push(("f", value("face_offset"), Measure::Length));
             known.push(("σ", sigma, Measure::Number));
-            let opening = ((follower.base_radius - value("face_offset")) / value("pivot_distance")).asin();
+            let opening = ((follower.base_radius() - value("face_offset")) / value("pivot_distance")).asin();
             rule("sin(ξ_0)", "(R_b - f)/m", opening.sin(), Measure::Number);
             rule("ξ", "ξ_0 + s", opening + motion.s, Measure::Angle);
             rule("k", "1 + σv", 1.0 + sigma * motion.v, Measure::Number);
@@ -172,7 +172,7 @@ mod tests {
                     Measure::Angle => ((a - b) / TAU - ((a - b) / TAU).round()).abs() <= 1e-6,
                     _ => (a - b).abs() <= 1e-6 * (1.0 + a.abs().max(b.abs())),
                 };
-                let size = 1e6 * cam.follower.base_radius.max(1.0);
+                let size = 1e6 * cam.follower.base_radius().max(1.0);
                 let endless = rule.value.abs() > size && printed.abs() > size;
                 let still = rules.contact.bend.abs() < 1e-12;
                 // A face that keeps pace with the cam touches it nowhere: k = 0 is divided by.

@@ -142,7 +142,7 @@ pub fn write(board: &mut Board) {
         &[],
     );
     let heads = heads(board);
-    let report = board.subject.report;
+    let report = board.study.report();
     let omega = board.design().omega();
     let length = board.length();
     let columns = [Column::S, Column::V, Column::A, Column::J];
@@ -169,7 +169,7 @@ pub fn write(board: &mut Board) {
 
 /// The minimum length of a flat face.
 fn face(board: &mut Board) {
-    let Some(face) = board.subject.analysis.summary.face(board.cam(), 0.0) else { return };
+    let Some(face) = board.study.analysis().summary.face(board.cam(), 0.0) else { return };
     let [from, to, long] = [face.from, face.to, face.length].map(|length| number::result(length) + &board.length());
     let text = if board.swings() {
         two(
@@ -242,7 +242,7 @@ fn is_left_limit(board: &Board, column: Column, place: f64, extreme: f64) -> boo
 
 /// The sharpest convex place and the tightest hollow, which the range of ρ does not give where the profile has both.
 fn radius(board: &mut Board) {
-    let Report { least_convex, tightest_hollow, inflections, .. } = board.subject.report;
+    let Report { least_convex, tightest_hollow, inflections, .. } = board.study.report();
     let written =
         |board: &Board, found: &Place| (number::result(found.value) + &board.length(), placed(board, found.at));
     if let Some(found) = least_convex {

@@ -41,12 +41,12 @@ fn geometry(board: &mut Board) {
         };
         shown.push(format!("{symbol} = {}{unit}", number::datum(value)));
     }
-    if follower.drive == Drive::Turns {
-        let sigma = if follower.rotation.sigma() > 0.0 { "1" } else { "-1" };
+    if follower.drive() == Drive::Turns {
+        let sigma = if follower.rotation().sigma() > 0.0 { "1" } else { "-1" };
         shown.push(format!("σ = {sigma}"));
     }
     board.show(&shown.join(", "));
-    if follower.drive == Drive::Turns {
+    if follower.drive() == Drive::Turns {
         let offset = design.follower.parameters.iter().any(|parameter| parameter.symbol == "e");
         let senses = if offset {
             two(

@@ -21,7 +21,7 @@ pub fn write(board: &mut Board, only: Option<usize>) {
         None => true,
         Some(k) => joint.segment == k || joint.segment == (k + 1) % segments.max(1),
     };
-    let joints: Vec<&Joint> = board.subject.analysis.joints.iter().filter(concerns).collect();
+    let joints: Vec<&Joint> = board.study.analysis().joints.iter().filter(concerns).collect();
     let borders = board.cam().program.borders();
     // Smooth joints within a segment that has many of them.
     let is_inner = |joint: &Joint| !borders.contains(&joint.theta);

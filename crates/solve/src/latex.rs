@@ -83,8 +83,8 @@ fn written(line: &Line, language: Language) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Request, Worked, solve};
-    use levalab_format::{EXAMPLES, example};
+    use crate::{Request, solve};
+    use levalab_format::{EXAMPLES, Study, example};
 
     #[test]
     fn letters_of_a_title_that_cannot_be_set_are_named_in_a_sentence() {
@@ -102,7 +102,7 @@ mod tests {
     #[test]
     fn every_letter_of_our_own_can_be_set() {
         for (name, _) in EXAMPLES {
-            let worked = Worked::of(example(name).expect(name)).expect(name);
+            let worked = Study::without_columns(example(name).expect(name)).expect(name);
             for language in Language::ALL {
                 let text = latex(&solve(&worked, &Request { language, ..Request::default() }), language);
                 assert!(!text.contains("U+"), "{name}: {text}");

@@ -5,12 +5,12 @@
 //! anew. Symbols are those of a [`Symbols`] table.
 //!
 //! ```
-//! use levalab_format::example;
-//! use levalab_solve::{Request, Worked, markdown, solve};
+//! use levalab_format::{Study, example};
+//! use levalab_solve::{Request, markdown, solve};
 //! use levalab_words::Language;
 //!
-//! let worked = Worked::of(example("R1").unwrap())?;
-//! let text = markdown(&solve(&worked, &Request::default()), Language::En);
+//! let study = Study::without_columns(example("R1").unwrap())?;
+//! let text = markdown(&solve(&study, &Request::default()), Language::En);
 //! assert!(text.contains("-30.37"));
 //! # Ok::<(), levalab_format::DesignError>(())
 //! ```
@@ -50,19 +50,9 @@ pub use markdown::markdown;
 pub use symbols::Symbols;
 
 use board::{Board, two};
-use levalab_core::{Analysis, Cam};
-use levalab_format::report::Report;
-use levalab_format::{Design, DesignError};
+use levalab_format::Study;
 use levalab_words::Language;
 use substitution::Place;
-
-/// A design with all that follows from it.
-pub struct Worked {
-    /// The design.
-    pub design: Design,
-    first: (Cam, Analysis, Report),
-    second: Option<(Cam, Analysis, Report)>,
-}
 
 /// What is asked of a solution.
 #[derive(Clone, Debug, Default)]
@@ -77,50 +67,13 @@ pub struct Request {
     pub symbols: Symbols,
 }
 
-/// One cam of a design, as it is written about.
-pub(crate) struct Subject<'a> {
-    pub design: &'a Design,
-    pub cam: &'a Cam,
-    pub analysis: &'a Analysis,
-    pub report: &'a Report,
-}
-
-impl Worked {
-    /// Analyses a design.
-    ///
-    /// # Errors
-    /// When it is no cam.
-    pub fn of(design: Design) -> Result<Self, DesignError> {
-        let analysed = |cam: Cam| {
-            // Extremes and verdict are exact whatever the steps are.
-            let analysis = Analysis::of(&cam, 1);
-            let report = Report::of(&design, &cam, &analysis);
-            (cam, analysis, report)
-        };
-        let cam = design.cam()?;
-        let second = design.second(&cam)?.map(analysed);
-        let first = analysed(cam);
-        Ok(Self { first, second, design })
-    }
-
-    /// How many segments the design has over what its program tells: its own, or those of a ready-made motion.
-    #[must_use]
-    pub fn segments(&self) -> usize {
-        self.first.0.program.given().len()
-    }
-
-    fn subject<'a>(&'a self, (cam, analysis, report): &'a (Cam, Analysis, Report)) -> Subject<'a> {
-        Subject { design: &self.design, cam, analysis, report }
-    }
-}
-
 /// The worked solution of a design.
 #[must_use]
-pub fn solve(worked: &Worked, request: &Request) -> Document {
-    let subject = worked.subject(&worked.first);
-    let mut board = Board::new(&subject, request.language);
+pub fn solve(study: &Study, request: &Request) -> Document {
+    let mut board = Board::new(study.first(), request.language);
     let title = board.words(two("Worked solution", "Solución desarrollada"), &[]);
-    let title = if worked.design.title.is_empty() { title } else { format!("{title}: {}", worked.design.title) };
+    let own = &study.design().title;
+    let title = if own.is_empty() { title } else { format!("{title}: {own}") };
     let place = Place::of(&board, request);
     given::write(&mut board);
     program::write(&mut board, request.segment);
@@ -135,10 +88,9 @@ pub fn solve(worked: &Worked, request: &Request) -> Document {
         verdict::write(&mut board);
     }
     let mut blocks = board.blocks;
-    if let (Some(second), None) = (&worked.second, request.segment) {
-        let subject = worked.subject(second);
-        let mut board = Board::new(&subject, request.language);
-        pair::write(&mut board, &worked.first.0, &place);
+    if let (Some(second), None) = (study.second(), request.segment) {
+        let mut board = Board::new(second, request.language);
+        pair::write(&mut board, study.first().cam(), &place);
         blocks.extend(board.blocks);
     }
     Document { title, blocks }.with_symbols(&request.symbols)

@@ -1,7 +1,7 @@
 //! Numbers as a textbook prints them, in the notation of formulas, and sums of terms with numbers.
 
 use levalab_formula::Formula;
-use levalab_words::notation;
+use levalab_numbers::write::in_formula;
 
 /// Significant digits of a displacement, of other results, of the entries of a matrix, and of what was typed.
 const OF_HEIGHTS: usize = 6;
@@ -17,22 +17,22 @@ const ROUNDING: f64 = 1e-11;
 
 /// A displacement.
 pub fn height(value: f64) -> String {
-    notation(value, OF_HEIGHTS)
+    in_formula(value, OF_HEIGHTS)
 }
 
 /// A result.
 pub fn result(value: f64) -> String {
-    notation(value, OF_RESULTS)
+    in_formula(value, OF_RESULTS)
 }
 
 /// An entry of a matrix.
 pub fn entry(value: f64) -> String {
-    notation(value, OF_ENTRIES)
+    in_formula(value, OF_ENTRIES)
 }
 
 /// A number that was typed.
 pub fn datum(value: f64) -> String {
-    notation(value, OF_DATA)
+    in_formula(value, OF_DATA)
 }
 
 /// An angle in degrees, two decimals.
@@ -48,7 +48,7 @@ pub fn part(x: f64) -> String {
 /// So many decimals at most.
 fn fixed(value: f64, decimals: usize) -> String {
     if !value.is_finite() {
-        return notation(value, OF_RESULTS);
+        return in_formula(value, OF_RESULTS);
     }
     let text = format!("{value:.decimals$}");
     let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
@@ -66,7 +66,7 @@ pub fn coefficients(values: &[f64]) -> Vec<String> {
         _ if value.abs() < ROUNDING * largest => "0".to_owned(),
         // Numbers that are all small, or all large, need a power of ten.
         Ok(decimals) if decimals <= 9 => fixed(value, decimals),
-        _ => notation(value, OF_LARGEST as usize),
+        _ => in_formula(value, OF_LARGEST as usize),
     };
     values.iter().map(written).collect()
 }

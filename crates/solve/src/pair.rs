@@ -62,24 +62,24 @@ struct Tied {
 fn tied(design: &Design, first: &Cam, second: &Cam) -> Tied {
     let (one, two) = (&first.follower, &second.follower);
     let value = |key: &str| one.value(key).unwrap_or(0.0);
-    let (prime, second_prime) = (one.base_radius + one.disc_radius(), two.base_radius + two.disc_radius());
-    let swings = matches!(one.body, Body::Swing { .. });
-    let top = ("s_max", two.reversed.unwrap_or(0.0), swings);
+    let (prime, second_prime) = (one.base_radius() + one.disc_radius(), two.base_radius() + two.disc_radius());
+    let swings = matches!(one.body(), Body::Swing { .. });
+    let top = ("s_max", two.reversed().unwrap_or(0.0), swings);
     let distance = design.conjugate.map_or(0.0, |pair| pair.tie.value());
     let angle = ("Γ", angle_between(first, second).unwrap_or(0.0), true);
     let opening = ("ξ_0", one.opening().unwrap_or(0.0), true);
     let (m, e) = (("m", value("pivot_distance"), false), value("eccentricity"));
-    match (one.element, swings) {
+    match (one.element(), swings) {
         (Element::Face { .. }, false) => Tied {
             known: vec![
                 ("D", distance, false),
-                ("R_b1", one.base_radius, false),
+                ("R_b1", one.base_radius(), false),
                 top,
                 ("γ", value("face_angle"), true),
             ],
             left: "R_(b2)",
             right: if value("face_angle") == 0.0 { "D - R_(b1) - s_(max)" } else { "D - R_(b1) - s_(max) cos(γ)" },
-            value: two.base_radius,
+            value: two.base_radius(),
         },
         (Element::Disc { .. }, false) if e == 0.0 => Tied {
             known: vec![("D", distance, false), ("R_p1", prime, false), top],
@@ -108,7 +108,7 @@ fn tied(design: &Design, first: &Cam, second: &Cam) -> Tied {
             known: vec![m, ("f", value("face_offset"), false), angle, opening, top],
             left: "R_(b2)",
             right: "f + m sin(Γ - ξ_0 - s_(max))",
-            value: two.base_radius,
+            value: two.base_radius(),
         },
     }
 }
@@ -128,7 +128,7 @@ fn size(board: &mut Board, first: &Cam) {
     let radius = second.follower.disc_radius();
     if radius > 0.0 {
         let (prime, radius, base) =
-            (number::result(value), number::datum(radius), number::result(second.follower.base_radius));
+            (number::result(value), number::datum(radius), number::result(second.follower.base_radius()));
         board.show(&format!("R_(b2) = R_(p2) - R_(f2) = {prime} - {radius} = {base}{length}"));
     }
 }

@@ -45,13 +45,13 @@ pub fn write(board: &mut Board) {
 const VANISHED: f64 = 1e-5;
 
 fn size_of(board: &Board) -> f64 {
-    if board.travels() { board.cam().program.span() } else { board.cam().follower.base_radius }
+    if board.travels() { board.cam().program.span() } else { board.cam().follower.base_radius() }
 }
 
 fn slope(board: &mut Board, symbol: &str) {
     let cam = board.cam();
     let limit = number::angle(cam.follower.pressure_angle_limit().to_degrees());
-    let angles = board.subject.analysis.summary.pressure_angle;
+    let angles = board.study.analysis().summary.pressure_angle;
     let (value, at) = angles.greatest_size();
     if angles.max - angles.min <= number::NEGLIGIBLE {
         let told = format!("$|φ| = {}{{°}}$", number::angle(value.to_degrees()));
@@ -121,7 +121,7 @@ fn slope(board: &mut Board, symbol: &str) {
 
 fn curvature(board: &mut Board, symbol: &str) {
     let cam = board.cam();
-    let summary = &board.subject.analysis.summary;
+    let summary = &board.study.analysis().summary;
     let flat = cam.follower.is_flat();
     let condition = match cam.follower.disc_radius() {
         0.0 if flat => "ρ > 0",
@@ -132,7 +132,7 @@ fn curvature(board: &mut Board, symbol: &str) {
     let needed = smallest_for(cam, SizeLimit::Curvature);
     if flat && !board.swings() && cam.follower.value("face_angle") == Some(0.0) {
         let (least, at) = (summary.rho.min, summary.rho.min_at);
-        let sum = number::result(least - cam.follower.base_radius);
+        let sum = number::result(least - cam.follower.base_radius());
         board.say(
             two(
                 "From the radius of curvature: $ρ = R_b + s + a$ is least at $θ = {at}$,",

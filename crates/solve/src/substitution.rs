@@ -95,7 +95,7 @@ fn fastest(board: &Board, segment: Option<usize>) -> (f64, usize, f64) {
 
 /// The maximum that the core found in the cycle by a finer search, for a motion with narrow features.
 fn searched(board: &Board, segment: Option<usize>) -> Option<(f64, usize, f64)> {
-    let (speed, near) = board.subject.analysis.summary.v.greatest_size();
+    let (speed, near) = board.study.analysis().summary.v.greatest_size();
     let (k, _) = nearest(board.cam(), near, speed, |motion| motion.v.abs());
     let program = &board.cam().program;
     let (stretch, near) = (&program.stretches()[k], place_on(program, k, near));

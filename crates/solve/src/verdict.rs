@@ -4,17 +4,16 @@ use crate::board::{Board, LETTERS, two};
 use crate::document::{Line, line};
 use crate::number;
 use levalab_core::{Closure, FindingKind};
-use levalab_format::cures;
 
 pub fn write(board: &mut Board) {
     board.heading(1, two("Verdict", "Veredicto"), &[]);
     demands(board);
-    let headline = levalab_words::headline(board.language, board.subject.report);
+    let headline = levalab_words::headline(board.language, board.study.report());
     board.say(two("{headline}", "{headline}"), &[("headline", &plain(&headline))]);
     let (design, language) = (board.design(), board.language);
-    let cures = cures(design, board.cam(), board.subject.analysis);
+    let cures = board.study.cures();
     let mut lines: Vec<Line> = Vec::new();
-    for (finding, cures) in board.subject.report.findings.iter().zip(&cures) {
+    for (finding, cures) in board.study.report().findings.iter().zip(&cures) {
         let told = levalab_words::finding(language, design, finding);
         let cured = cures.iter().map(|cure| levalab_words::cure(language, design, finding, &cure.remedy));
         let text = std::iter::once(told).chain(cured).collect::<Vec<_>>().join(" ");
@@ -24,7 +23,7 @@ pub fn write(board: &mut Board) {
 }
 
 fn demands(board: &mut Board) {
-    let analysis = board.subject.analysis;
+    let analysis = board.study.analysis();
     let lowest = analysis.joints.iter().filter_map(|joint| joint.jump).min();
     let closure = board.cam().closure;
     let mut rows: Vec<Vec<Line>> = Vec::new();

@@ -1,7 +1,7 @@
 //! The worked solution names every extreme of its segments, also on the borders between the pieces of a law and as the limit from one side.
 
-use levalab_format::{Design, example};
-use levalab_solve::{Request, Worked, markdown, solve};
+use levalab_format::{Design, Study, example};
+use levalab_solve::{Request, markdown, solve};
 use levalab_words::Language;
 
 /// A design of a radial roller with these segments.
@@ -14,7 +14,7 @@ fn design(segments: &str) -> Design {
 }
 
 fn solution(design: Design, request: &Request) -> String {
-    markdown(&solve(&Worked::of(design).expect("a cam"), request), request.language)
+    markdown(&solve(&Study::without_columns(design).expect("a cam"), request), request.language)
 }
 
 /// A rise of 10 mm over 90° by a law, a dwell, the fall, a dwell.

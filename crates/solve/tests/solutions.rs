@@ -1,8 +1,8 @@
 //! The solutions of the textbook cases hold the figures of the books, and no design is without a solution.
 
 use levalab_format::testing::{Random, design};
-use levalab_format::{EXAMPLES, example};
-use levalab_solve::{Block, Document, Request, Symbols, Worked, latex, markdown, page, solve};
+use levalab_format::{EXAMPLES, Study, example};
+use levalab_solve::{Block, Document, Request, Symbols, latex, markdown, page, solve};
 use levalab_words::Language;
 
 fn request(language: Language) -> Request {
@@ -10,7 +10,7 @@ fn request(language: Language) -> Request {
 }
 
 fn solution(name: &str, request: &Request) -> String {
-    let worked = Worked::of(example(name).expect(name)).expect(name);
+    let worked = Study::without_columns(example(name).expect(name)).expect(name);
     markdown(&solve(&worked, request), request.language)
 }
 
@@ -169,7 +169,7 @@ fn written(name: &str, document: &Document, language: Language) {
 #[test]
 fn every_example_has_its_solution_in_both_languages_and_by_every_writer() {
     for (name, _) in EXAMPLES {
-        let worked = Worked::of(example(name).expect(name)).expect(name);
+        let worked = Study::without_columns(example(name).expect(name)).expect(name);
         for language in Language::ALL {
             let document = solve(&worked, &request(language));
             written(name, &document, language);
@@ -188,7 +188,7 @@ fn random_designs_have_their_solutions() {
     for round in 0..120 {
         let design = design(&mut random);
         let name = format!("round {round}: {}", design.to_json());
-        let worked = Worked::of(design).expect("a design that passes every check");
+        let worked = Study::without_columns(design).expect("a design that passes every check");
         let language = *random.pick(&Language::ALL);
         let theta = (!random.once_in(3)).then(|| random.between(-400.0, 800.0));
         let segment = random.once_in(2).then(|| random.below(worked.segments()));
@@ -199,7 +199,7 @@ fn random_designs_have_their_solutions() {
 
 #[test]
 fn another_notation_is_written_throughout() {
-    let worked = Worked::of(example("R1").expect("R1")).expect("R1");
+    let worked = Study::without_columns(example("R1").expect("R1")).expect("R1");
     let symbols = Symbols::new(vec![("R_b", "r_0".into()), ("φ", "α".into())]);
     let document = solve(&worked, &Request { symbols, ..Request::default() });
     let text = markdown(&document, Language::En);

@@ -1,7 +1,7 @@
 //! The small diagrams of a law: s, v, a and j of a cam that uses it.
 
 use crate::html::Pen;
-use crate::study::cam;
+use crate::law_facts::cam;
 use crate::words::{Two, two};
 use levalab_chart::{Diagram, Quantity, Style, Timing, colour, svg};
 use levalab_core::law::Group;
@@ -45,7 +45,7 @@ pub fn of(pen: Pen, law: &Law) -> String {
             height: 112.0,
             curve: colour(tone).unwrap_or_default(),
             dash: dash.to_vec(),
-            decimal_comma: pen.language == levalab_words::Language::Es,
+            decimal_sign: pen.language.decimal_sign(),
             ..Style::default()
         };
         let (text, _) = svg(&Diagram::of(quantity, &cam, &analysis, Timing::PerRadian), &style);

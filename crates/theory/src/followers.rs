@@ -91,7 +91,7 @@ mod tests {
                     });
                     let mut list = [0.0; levalab_core::MAX_FOLLOWER_PARAMETERS];
                     values.enumerate().for_each(|(i, value)| list[i] = value);
-                    let placed = Follower::new(kind, 1.0, list, rotation).expect(kind.id);
+                    let placed = Follower::new(kind, 1.0, &list, rotation).expect(kind.id);
                     let contact = placed.contact(motion);
                     let mut known = Known::new();
                     let mut give = |name: &str, value: f64| {

@@ -2,7 +2,7 @@
 
 use crate::figure;
 use crate::html::Pen;
-use crate::study::Study;
+use crate::law_facts::LawFacts;
 use crate::words::{Two, two};
 use levalab_catalogue::{LawRow, law_row};
 use levalab_core::{LAWS, Law};
@@ -22,7 +22,7 @@ fn name(pen: Pen, law: &Law) -> String {
 
 fn body(pen: Pen, entry: &Law) -> String {
     let words = law_row(entry);
-    let study = Study::of(entry);
+    let study = LawFacts::of(entry);
     let paragraph = |text: fn(&LawRow) -> Two| {
         words.map(|words| pen.paragraphs(text(words).within(pen.language))).unwrap_or_default()
     };
@@ -50,18 +50,18 @@ fn tables(pen: Pen, own: &Written) -> String {
 }
 
 /// Peaks, and what jumps between two dwells.
-fn facts(pen: Pen, study: &Study) -> String {
+fn facts(pen: Pen, study: &LawFacts) -> String {
     let peaks: Vec<String> = (1..4).map(|order| peak(pen, study, order)).collect();
     let peaks = format!("<p>{}: {}.</p>", two("Peaks", "Valores máximos").within(pen.language), peaks.join(", "));
     format!("{peaks}<p>{}</p>", pen.line(&joins(pen, study)))
 }
 
-fn peak(pen: Pen, study: &Study, order: usize) -> String {
+fn peak(pen: Pen, study: &LawFacts, order: usize) -> String {
     format!("{} = {}", pen.formula(&format!("|{}|", ORDERS[order])), pen.language.number(study.peaks[order]))
 }
 
 /// What a law does beside rests, in a sentence.
-fn joins(pen: Pen, study: &Study) -> String {
+fn joins(pen: Pen, study: &LawFacts) -> String {
     let worst = (0..4).find(|&order| !study.jumps[order].is_empty());
     let Some(order) = worst else {
         return two(
@@ -94,7 +94,7 @@ fn joins(pen: Pen, study: &Study) -> String {
 #[must_use]
 pub fn overview(pen: Pen) -> String {
     let within = |words: Two| words.within(pen.language);
-    let studies = LAWS.iter().filter_map(|law| Some((law, Study::of(law)?))).filter(|(_, study)| study.moves());
+    let studies = LAWS.iter().filter_map(|law| Some((law, LawFacts::of(law)?))).filter(|(_, study)| study.moves());
     let rows: String = studies
         .map(|(law, study)| {
             let name = escape(&name(pen, law));

@@ -9,11 +9,11 @@
 mod figure;
 mod followers;
 pub mod html;
+mod law_facts;
 mod laws;
 mod licences;
 mod notations;
 pub mod pages;
-mod study;
 mod terms;
 pub mod words;
 

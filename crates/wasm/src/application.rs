@@ -3,10 +3,9 @@
 use crate::diagrams::{paint, style_of};
 use levalab_chart::{Diagram, Style, svg};
 use levalab_core::application::{APPLICATIONS, Magnitude};
-use levalab_core::{Analysis, Cam};
 use levalab_edge::{language, object};
 use levalab_format::report::Range;
-use levalab_format::{ApplicationDesign, Design, LengthUnit, Outcome};
+use levalab_format::{ApplicationDesign, LengthUnit, Outcome, Study};
 use levalab_words::{Language, application_title, part_head, part_name};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -98,10 +97,8 @@ pub fn applications(
 /// A design's application at work.
 #[wasm_bindgen]
 pub struct Driven {
-    design: Design,
+    study: Study,
     set: ApplicationDesign,
-    cam: Cam,
-    analysis: Analysis,
     outcome: Outcome,
 }
 
@@ -109,11 +106,9 @@ pub struct Driven {
 impl Driven {
     /// The application of a good design; nothing when it has none.
     pub fn of(#[wasm_bindgen(unchecked_param_type = "Design")] design: &JsValue) -> Option<Driven> {
-        let (design, cam) = Design::open(&levalab_edge::value(design)).ok()?;
-        let set = design.application.clone()?;
-        let analysis = Analysis::of(&cam, STEPS);
-        let outcome = set.outcome(&design, &cam, &analysis);
-        Some(Self { design, set, cam, analysis, outcome })
+        let study = Study::open(&levalab_edge::value(design), STEPS).ok()?;
+        let (set, outcome) = (study.design().application.clone()?, study.outcome()?);
+        Some(Self { study, set, outcome })
     }
 
     /// Extremes of each output, figures, and every target with its error.
@@ -127,10 +122,11 @@ impl Driven {
 
     /// Every output at θ (degrees, or length of a cam that travels), in their order.
     pub fn at(&self, place: f64) -> Vec<f64> {
-        let theta = if self.cam.program.is_cyclic() { place.to_radians().rem_euclid(TAU) } else { place };
-        let (values, motion) = (self.set.core_values(), self.cam.program.at(theta));
+        let program = &self.study.first().cam().program;
+        let theta = if program.is_cyclic() { place.to_radians().rem_euclid(TAU) } else { place };
+        let (values, motion) = (self.set.core_values(), program.at(theta));
         let each = self.outcome.outputs.iter();
-        each.map(|found| found.told(found.output.of(&values, motion, self.design.omega()))).collect()
+        each.map(|found| found.told(found.output.of(&values, motion, self.study.design().omega()))).collect()
     }
 
     /// Draws an output with the points that it is to hit over the whole of a canvas; says where the plot is.
@@ -169,14 +165,15 @@ impl Driven {
             true => self.outcome.targets.iter().map(|target| (target.theta, target.value)).collect(),
             false => Vec::new(),
         };
-        let (values, omega) = (self.set.core_values(), self.design.omega());
-        let diagram = Diagram::of_output(wanted, &values, &self.cam, &self.analysis, omega, &targets);
+        let (values, omega) = (self.set.core_values(), self.study.design().omega());
+        let first = self.study.first();
+        let diagram = Diagram::of_output(wanted, &values, first.cam(), first.analysis(), omega, &targets);
         let (style, timed) = style_of(style)?;
         Ok((if timed { diagram.against_time(omega) } else { diagram }, style))
     }
 
     fn told(&self, language: Language) -> Report {
-        let unit = |magnitude: Magnitude| self.design.length_unit.unit_of(magnitude);
+        let unit = |magnitude: Magnitude| self.study.design().length_unit.unit_of(magnitude);
         let name = |id: &'static str| part_name(language, id).to_owned();
         let outputs = self.outcome.outputs.iter().map(|found| OutputReport {
             id: found.output.id,

@@ -1,8 +1,10 @@
 //! Diagrams on the page: plotters-canvas where they are looked at, SVG where they are printed.
 
-use crate::lab::{Beside, Current, Lab};
+use crate::lab::{Beside, Lab};
 use levalab_chart::{Diagram, PlotArea, Quantity, SUBPIXELS, Style, Timing, colour};
 use levalab_edge::object;
+use levalab_format::CamStudy;
+use levalab_numbers::write::DecimalSign;
 use plotters::prelude::IntoDrawingArea;
 use plotters_canvas::CanvasBackend;
 use serde::Serialize;
@@ -97,36 +99,37 @@ fn prepare(lab: &Lab, diagram: &str, style: &JsValue, second: Option<bool>) -> R
     let wanted = PageStyle(levalab_edge::value(style));
     let style = wanted.style().ok_or_else(|| JsError::new(NO_STYLE))?;
     let per_second = wanted.is("per_second");
-    let seen = |current: &Current| {
-        if per_second { Timing::PerSecond(current.design.omega()) } else { Timing::PerRadian }
+    let seen = |study: &CamStudy| {
+        if per_second { Timing::PerSecond(study.design().omega()) } else { Timing::PerRadian }
     };
     let mut all = Vec::with_capacity(lab.beside.len() + 1);
     let mut others = Vec::with_capacity(lab.beside.len());
-    for Beside { cam: other, colour, dash } in &lab.beside {
+    for Beside { study: other, colour, dash } in &lab.beside {
+        let other = other.first();
         if alike(quantity, current, other) {
-            all.push((&other.cam, &other.analysis, seen(other)));
+            all.push((other.cam(), other.analysis(), seen(other)));
             others.push((*colour, dash.clone()));
         }
     }
-    all.push((&current.cam, &current.analysis, seen(current)));
+    all.push((current.cam(), current.analysis(), seen(current)));
     let mut diagram = Diagram::among(quantity, &all).ok_or_else(|| JsError::new("nothing to draw"))?;
     if let Some(margin) = wanted.number("margin") {
-        diagram = diagram.with_face(&current.analysis, margin);
+        diagram = diagram.with_face(current.analysis(), margin);
     }
     Ok((diagram, Style { others, ..style }))
 }
 
 /// True when the values of both can be put on one axis: they exist and have the same unit.
-fn alike(quantity: Quantity, current: &Current, other: &Current) -> bool {
-    let (one, other) = (&current.design, other);
-    let lengths = one.length_unit == other.design.length_unit;
-    quantity.applies(&other.cam)
-        && one.kind.travel() == other.design.kind.travel()
+fn alike(quantity: Quantity, current: &CamStudy, other: &CamStudy) -> bool {
+    let (one, two) = (current.design(), other.design());
+    let lengths = one.length_unit == two.length_unit;
+    quantity.applies(other.cam())
+        && one.kind.travel() == two.kind.travel()
         && match quantity {
             Quantity::PressureAngle => true,
             Quantity::Rho | Quantity::Contact => lengths,
             Quantity::S | Quantity::V | Quantity::A | Quantity::J => {
-                one.is_oscillating() == other.design.is_oscillating() && (lengths || one.is_oscillating())
+                one.is_oscillating() == two.is_oscillating() && (lengths || one.is_oscillating())
             }
         }
 }
@@ -168,7 +171,7 @@ impl PageStyle {
             others: Vec::new(),
             stroke: self.number("stroke")?,
             x_labels: self.is("x_labels"),
-            decimal_comma: self.is("decimal_comma"),
+            decimal_sign: if self.is("decimal_comma") { DecimalSign::Comma } else { DecimalSign::Point },
         })
     }
 }

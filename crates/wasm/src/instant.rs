@@ -20,7 +20,7 @@ pub fn fill(cam: &Cam, omega: f64, place: f64, out: &mut [f64]) {
         false => place.clamp(0.0, cam.program.span()),
     };
     let (motion, contact) = cam.at(theta);
-    let travel = match cam.follower.kind.motion {
+    let travel = match cam.follower.kind().motion {
         Motion::Translating => 1.0,
         Motion::Oscillating => 360.0 / TAU,
     };

@@ -1,35 +1,24 @@
 //! The current cam: checked, analysed, and asked about until the next good one takes its place.
 
 use crate::instant;
-use crate::report::{PageReport, cures, of_both, told_cures};
-use levalab_core::{Analysis, Cam, Column, Svaj};
+use crate::report::{PageReport, of_both, told_cures};
+use levalab_core::{Column, Svaj};
 use levalab_edge::{Failure, language, object};
-use levalab_format::report::{Report, column, scale_of};
-use levalab_format::{CureJob, Design, DesignError};
+use levalab_format::report::scale_of;
+use levalab_format::{CamStudy, CureJob, Study};
 use plotters::style::RGBColor;
 use serde::Serialize;
-use serde_json::Value;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
-/// Most steps in which the page may ask for a turn.
-const MOST_SAMPLES: usize = 36_000;
-
-/// A good design with all that follows from it.
-pub struct Current {
-    pub design: Design,
-    pub cam: Cam,
-    pub analysis: Analysis,
-    pub report: Report,
-}
+/// Maximum number of steps in which the page may ask for a turn.
+const MAX_SAMPLES: usize = 36_000;
 
 /// The page's one object.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Lab {
-    current: Option<Rc<Current>>,
-    /// The second cam of a pair, analysed like the first.
-    second: Option<Current>,
+    current: Option<Rc<Study>>,
     /// The search for the cures of each cam; a new design drops it.
     jobs: Vec<CureJob>,
     /// Cams whose curves are drawn behind those of the current one.
@@ -38,7 +27,7 @@ pub struct Lab {
 
 /// A cam whose curves are drawn behind those of another, and how they look.
 pub struct Beside {
-    pub cam: Rc<Current>,
+    pub study: Rc<Study>,
     pub colour: RGBColor,
     pub dash: Vec<f64>,
 }
@@ -70,11 +59,10 @@ impl Lab {
         #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
     ) -> Result<JsValue, JsError> {
         let language = language(words);
-        object(&match analyse(&levalab_edge::value(design), samples) {
-            Ok((current, second)) => {
-                let report = PageReport::of(&current, second.as_ref(), language);
-                self.current = Some(Rc::new(current));
-                self.second = second;
+        object(&match Study::open(&levalab_edge::value(design), samples.clamp(1, MAX_SAMPLES)) {
+            Ok(study) => {
+                let report = PageReport::of(&study, language);
+                self.current = Some(Rc::new(study));
                 self.jobs.clear();
                 Opened::Report(Box::new(report))
             }
@@ -88,8 +76,8 @@ impl Lab {
     /// Never, for any current cam.
     #[wasm_bindgen(unchecked_return_type = "Cure[][]")]
     pub fn cures(&self, #[wasm_bindgen(unchecked_param_type = "Language")] words: &str) -> Result<JsValue, JsError> {
-        let cams: Vec<&Current> = self.current.as_deref().into_iter().chain(&self.second).collect();
-        let of_each = cams.iter().map(|current| cures(current, language(words))).collect();
+        let cams = self.cams();
+        let of_each = cams.iter().map(|cam| told_cures(cam, cam.cures(), language(words))).collect();
         object(&of_both(&cams, of_each))
     }
 
@@ -104,14 +92,12 @@ impl Lab {
         budget: usize,
         #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
     ) -> Result<JsValue, JsError> {
-        let cams: Vec<&Current> = self.current.as_deref().into_iter().chain(&self.second).collect();
+        let cams: Vec<&CamStudy> = self.current.iter().flat_map(|study| study.cams()).collect();
         self.jobs.resize_with(cams.len(), CureJob::default);
         let mut of_each = Vec::new();
-        for (current, job) in cams.iter().zip(&mut self.jobs) {
-            let Some(cures) = job.step(&current.design, &current.cam, &current.analysis, budget) else {
-                return Ok(JsValue::UNDEFINED);
-            };
-            of_each.push(told_cures(current, cures, language(words)));
+        for (cam, job) in cams.iter().zip(&mut self.jobs) {
+            let Some(cures) = cam.step_cures(job, budget) else { return Ok(JsValue::UNDEFINED) };
+            of_each.push(told_cures(cam, cures, language(words)));
         }
         object(&of_both(&cams, of_each))
     }
@@ -123,69 +109,52 @@ impl Lab {
         second: Option<bool>,
     ) -> Vec<f64> {
         let wanted = Column::ALL.into_iter().find(|column| column.name() == name);
-        let values = self
-            .cam(second)
-            .zip(wanted)
-            .and_then(|(current, wanted)| column(&current.design, &current.analysis, wanted));
-        values.unwrap_or_default()
+        self.cam(second).zip(wanted).and_then(|(cam, wanted)| cam.column(wanted)).unwrap_or_default()
     }
 
     /// The limits of s, v, a, j (per radian, in the unit of s) before a border of the segments, and after it; empty when there is none.
     pub fn limits(&self, border: usize) -> Vec<f64> {
-        self.current.as_ref().map_or_else(Vec::new, |current| limits(current, border))
+        self.cam(None).map_or_else(Vec::new, |cam| limits(cam, border))
     }
 
     /// Exact values at θ (degrees, any turn; length for a cam that travels), in the order of the `INSTANT` table.
     pub fn at(&self, theta: f64, out: &mut [f64], second: Option<bool>) {
         match self.cam(second) {
-            Some(current) => instant::fill(&current.cam, current.design.omega(), theta, out),
+            Some(study) => instant::fill(study.cam(), study.design().omega(), theta, out),
             None => out.fill(f64::NAN),
         }
     }
 }
 
 impl Lab {
-    /// The current cam, to be kept by another laboratory.
-    pub(crate) fn shared(&self) -> Option<Rc<Current>> {
+    /// The current study, to be kept by another laboratory.
+    pub(crate) fn shared(&self) -> Option<Rc<Study>> {
         self.current.clone()
     }
 
-    /// The current cam, or the second one of its pair.
-    fn cam(&self, second: Option<bool>) -> Option<&Current> {
-        if second == Some(true) { self.second.as_ref() } else { self.current.as_deref() }
+    /// The cams of the current design.
+    fn cams(&self) -> Vec<&CamStudy> {
+        self.current.iter().flat_map(|study| study.cams()).collect()
     }
 
-    /// The current cam.
-    pub(crate) fn current(&self) -> Result<&Current, JsError> {
-        self.drawn(None)
+    /// The current cam, or the second one of its pair.
+    fn cam(&self, second: Option<bool>) -> Option<&CamStudy> {
+        let study = self.current.as_ref()?;
+        if second == Some(true) { study.second() } else { Some(study.first()) }
     }
 
     /// The current cam, or the second one of its pair, for the diagrams.
-    pub(crate) fn drawn(&self, second: Option<bool>) -> Result<&Current, JsError> {
+    pub(crate) fn drawn(&self, second: Option<bool>) -> Result<&CamStudy, JsError> {
         self.cam(second).ok_or_else(|| JsError::new("no such cam has been opened"))
     }
 }
 
-fn limits(current: &Current, border: usize) -> Vec<f64> {
-    let borders = current.cam.program.borders();
+fn limits(study: &CamStudy, border: usize) -> Vec<f64> {
+    let borders = study.cam().program.borders();
     // The last border is the first again.
     let theta = borders.get(border).map(|&theta| if border + 1 == borders.len() { borders[0] } else { theta });
-    let joint = theta.and_then(|theta| current.analysis.joints.iter().find(|joint| joint.theta == theta));
-    let scale = scale_of(&current.design, Column::S);
+    let joint = theta.and_then(|theta| study.analysis().joints.iter().find(|joint| joint.theta == theta));
+    let scale = scale_of(study.design(), Column::S);
     let side = |motion: Svaj| (0..4).map(move |order| motion.order(order) * scale + 0.0);
     joint.map_or_else(Vec::new, |joint| side(joint.before).chain(side(joint.after)).collect())
-}
-
-pub(crate) fn analyse(value: &Value, samples: usize) -> Result<(Current, Option<Current>), DesignError> {
-    let (design, cam) = Design::open(value)?;
-    let second = design.second(&cam)?.map(|second| Current::of(design.clone(), second, samples));
-    Ok((Current::of(design, cam, samples), second))
-}
-
-impl Current {
-    fn of(design: Design, cam: Cam, samples: usize) -> Self {
-        let analysis = Analysis::of(&cam, samples.clamp(1, MOST_SAMPLES));
-        let report = Report::of(&design, &cam, &analysis);
-        Self { design, cam, analysis, report }
-    }
 }

@@ -12,6 +12,7 @@ mod instant;
 mod lab;
 mod marks;
 mod mechanism;
+mod numbers;
 mod pair;
 mod report;
 mod sheet;
@@ -27,7 +28,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
+import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, NumberReading, Opened, PlotArea, Read, Room, TieKey } from "../types.d.ts";
 "#;
 
 /// The room for a second cam tied in one way: a good value, and between which values it has its place (no greatest for a distance).

@@ -29,18 +29,18 @@ impl Mechanism {
     /// The mechanism of a cam.
     pub fn of(cam: &Cam, analysis: &Analysis) -> Self {
         let follower = &cam.follower;
-        let (motion, contact) = levalab_format::motion_and_contact(follower.kind);
+        let (motion, contact) = levalab_format::motion_and_contact(follower.kind());
         let value = |key: &str| follower.value(key);
         let radius = follower.disc_radius();
         Self {
-            sense: follower.rotation.sigma(),
-            base_radius: follower.base_radius,
-            prime_radius: (!follower.is_flat()).then_some(follower.base_radius + radius),
+            sense: follower.rotation().sigma(),
+            base_radius: follower.base_radius(),
+            prime_radius: (!follower.is_flat()).then_some(follower.base_radius() + radius),
             motion,
             contact,
             roller_radius: radius,
             eccentricity: value("eccentricity").unwrap_or(0.0),
-            pivot: match follower.body {
+            pivot: match follower.body() {
                 Body::Swing { pivot } => Some([pivot.re, pivot.im]),
                 Body::Slide => None,
             },
@@ -60,7 +60,7 @@ impl Mechanism {
 fn reach(cam: &Cam, analysis: &Analysis) -> f64 {
     let column = |column: Column| analysis.column(column).unwrap_or_default();
     let (theta, x, y) = (column(Column::Theta), column(Column::X), column(Column::Y));
-    let away = match cam.follower.drive {
+    let away = match cam.follower.drive() {
         Drive::Turns => 0.0,
         Drive::Travels => 1.0,
     };
@@ -73,12 +73,12 @@ fn reach(cam: &Cam, analysis: &Analysis) -> f64 {
 
 /// The greatest height of the trace point, or of the point that carries a face, while *s* runs through its range.
 fn top(follower: &Follower, s: &Extremes) -> f64 {
-    let centre = match follower.element {
+    let centre = match follower.element() {
         Element::Disc { centre, .. } => centre,
         Element::Face { point, .. } => return point.im + s.max,
     };
-    let [low, high] = follower.reversed.map_or([s.min, s.max], |top| [top - s.max, top - s.min]);
-    match follower.body {
+    let [low, high] = follower.reversed().map_or([s.min, s.max], |top| [top - s.max, top - s.min]);
+    match follower.body() {
         Body::Slide => centre.im + high,
         Body::Swing { pivot } => {
             // The arm falls from the angle it has at the least s to that at the greatest.
@@ -94,7 +94,7 @@ fn top(follower: &Follower, s: &Extremes) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use levalab_core::{FollowerKind, Rotation};
+
     use levalab_format::Design;
 
     #[test]
@@ -135,9 +135,8 @@ mod tests {
 
     #[test]
     fn an_arm_that_passes_upright_is_highest_there() {
-        let kind = FollowerKind::by_id("oscillating-roller").expect("a follower");
-        let arm = Follower::new(kind, 50.0, [10.0, 90.0, 100.0, 0.0], Rotation::default()).expect("a triangle");
-        let (Body::Swing { pivot }, Element::Disc { centre, .. }) = (arm.body, arm.element) else {
+        let arm = Follower::oscillating_roller(50.0, 10.0, 90.0, 100.0).expect("a triangle");
+        let (Body::Swing { pivot }, Element::Disc { centre, .. }) = (arm.body(), arm.element()) else {
             panic!("an arm with a roller")
         };
         let upright = (centre - pivot).arg() - FRAC_PI_2;

@@ -1,10 +1,9 @@
 //! What an analysis tells the page, shaped for JavaScript.
 
-use crate::lab::Current;
 use crate::mechanism::Mechanism;
 use levalab_core::{Cam, Column, Segment, angle_between, profiles_coincide};
 use levalab_format::report::{Place, Range, degrees, scale_of};
-use levalab_format::{DesignCure, MotionUnits, Notation, ToldCure, ToldFinding, ToldVerdict, link};
+use levalab_format::{CamStudy, DesignCure, Notation, Study, ToldCure, ToldFinding, ToldVerdict, link};
 use levalab_words::{Language, Signs};
 use serde::{Serialize, Serializer};
 
@@ -90,29 +89,33 @@ struct Units {
 impl PageReport {
     /// Everything the page shows of a cam, or of both cams of a pair, but for columns and cures. The verdict is on both: its headline is that of
     /// the worse cam, which `cam` names, and its findings are those of both in one order.
-    pub fn of(first: &Current, second: Option<&Current>, language: Language) -> Self {
-        let link = link::encode(&first.design).unwrap_or_default();
+    pub fn of(study: &Study, language: Language) -> Self {
+        Self::of_cams(study.first(), study.second(), language)
+    }
+
+    fn of_cams(first: &CamStudy, second: Option<&CamStudy>, language: Language) -> Self {
+        let link = link::encode(first.design()).unwrap_or_default();
         let Some(second) = second else { return Self::of_one(first, link, verdict_of(first, None, language)) };
-        let verdict = |current: &Current, number: u8| verdict_of(current, Some(number), language);
+        let verdict = |cam: &CamStudy, number: u8| verdict_of(cam, Some(number), language);
         let (ours, theirs) = (verdict(first, 1), verdict(second, 2));
-        let (cam, headline) = if second.report.level > first.report.level {
+        let (cam, headline) = if second.report().level > first.report().level {
             (theirs.cam, theirs.headline.clone())
         } else {
             (ours.cam.filter(|_| ours.headline != theirs.headline), ours.headline)
         };
-        let level = first.report.level.max(second.report.level);
         let findings = of_both(&[first, second], vec![ours.findings, theirs.findings.clone()]);
-        let both = Verdict { cam, ..ToldVerdict::new(level, headline, findings) };
+        let both =
+            Verdict { cam, ..ToldVerdict::new(first.report().level.max(second.report().level), headline, findings) };
         Self {
             conjugate: Some(Box::new(Self::of_one(second, String::new(), theirs))),
-            pair_angle: angle_between(&first.cam, &second.cam).map(f64::to_degrees),
-            pair_note: profiles_coincide(&first.cam, &second.cam).then(|| levalab_words::profiles_coincide(language)),
+            pair_angle: angle_between(first.cam(), second.cam()).map(f64::to_degrees),
+            pair_note: profiles_coincide(first.cam(), second.cam()).then(|| levalab_words::profiles_coincide(language)),
             ..Self::of_one(first, link, both)
         }
     }
 
-    fn of_one(current: &Current, link: String, verdict: Verdict) -> Self {
-        let Current { design, cam, analysis, report } = current;
+    fn of_one(study: &CamStudy, link: String, verdict: Verdict) -> Self {
+        let (design, cam, report) = (study.design(), study.cam(), study.report());
         let omega = design.omega();
         Self {
             link,
@@ -120,7 +123,7 @@ impl PageReport {
             span: design.kind.travel().unwrap_or(360.0),
             travels: design.kind.travel().is_some(),
             verdict,
-            summary: summary(current),
+            summary: summary(study),
             least_convex: report.least_convex,
             tightest_hollow: report.tightest_hollow,
             inflections: report.inflections.clone(),
@@ -139,8 +142,8 @@ impl PageReport {
             omega,
             period: cam.program.span() / omega,
             pressure_angle_limit: degrees(cam.follower.pressure_angle_limit()),
-            mechanism: Mechanism::of(cam, analysis),
-            units: Units::of(current),
+            mechanism: Mechanism::of(cam, study.analysis()),
+            units: Units::of(study),
             notation: (design.notation != Notation::default()).then(|| PageNotation {
                 symbols: Signs::of(design.notation).symbols.to_vec(),
                 eccentricity: design.eccentricity_sign(),
@@ -158,26 +161,20 @@ fn segments(cam: &Cam) -> Vec<PageSegment> {
 }
 
 /// Extremes by the name of their column, and of V, A and J, the derivatives by time.
-fn summary(current: &Current) -> Vec<(&'static str, Range)> {
-    let mut ranges = current.report.summary.clone();
+fn summary(study: &CamStudy) -> Vec<(&'static str, Range)> {
+    let mut ranges = study.report().summary.clone();
     let mut rate = 1.0;
     for (column, name) in [(Column::V, "V"), (Column::A, "A"), (Column::J, "J")] {
-        rate *= current.design.omega();
+        rate *= study.design().omega();
         let timed = |range: Range| Range { min: range.min * rate, max: range.max * rate, ..range };
-        ranges.extend(current.report.range(column).map(|range| (name, timed(range))));
+        ranges.extend(study.report().range(column).map(|range| (name, timed(range))));
     }
     ranges
 }
 
-/// The cures of every finding, in the order of the findings.
-pub fn cures(current: &Current, language: Language) -> Vec<Vec<ToldCure>> {
-    let Current { design, cam, analysis, .. } = current;
-    told_cures(current, levalab_format::cures(design, cam, analysis), language)
-}
-
 /// Cures of every finding with their sentences.
-pub fn told_cures(current: &Current, cures: Vec<Vec<DesignCure>>, language: Language) -> Vec<Vec<ToldCure>> {
-    let Current { design, report, .. } = current;
+pub fn told_cures(study: &CamStudy, cures: Vec<Vec<DesignCure>>, language: Language) -> Vec<Vec<ToldCure>> {
+    let design = study.design();
     let of_finding = |(finding, cures): (_, Vec<DesignCure>)| {
         let told = |cure: DesignCure| {
             let message = levalab_words::cure(language, design, finding, &cure.remedy);
@@ -185,11 +182,11 @@ pub fn told_cures(current: &Current, cures: Vec<Vec<DesignCure>>, language: Lang
         };
         cures.into_iter().map(told).collect()
     };
-    report.findings.iter().zip(cures).map(of_finding).collect()
+    study.report().findings.iter().zip(cures).map(of_finding).collect()
 }
 
-fn verdict_of(current: &Current, cam: Option<u8>, language: Language) -> Verdict {
-    let Current { design, report, .. } = current;
+fn verdict_of(study: &CamStudy, cam: Option<u8>, language: Language) -> Verdict {
+    let (design, report) = (study.design(), study.report());
     let findings = report.findings.iter().map(|finding| {
         let message = levalab_words::finding(language, design, finding);
         let mut told = ToldFinding::new(finding, message);
@@ -206,8 +203,8 @@ fn as_map<T: Copy + Serialize, S: Serializer>(ranges: &[(&'static str, T)], seri
 }
 
 impl Units {
-    fn of(current: &Current) -> Self {
-        let motion = MotionUnits::of(&current.design);
+    fn of(study: &CamStudy) -> Self {
+        let motion = study.units();
         let sliding = motion.sliding();
         Self {
             s: motion.unit(0, false),
@@ -226,18 +223,18 @@ impl Units {
 
 /// The findings of both cams in one list, in the order of [`Finding::gravest_first`]: the cam (0 or 1) of each and its place among the findings
 /// of that cam.
-fn in_order(cams: &[&Current]) -> Vec<(usize, usize)> {
+fn in_order(cams: &[&CamStudy]) -> Vec<(usize, usize)> {
     let of_cam =
-        |(cam, current): (usize, &&Current)| (0..current.analysis.findings.len()).map(move |index| (cam, index));
+        |(cam, study): (usize, &&CamStudy)| (0..study.analysis().findings.len()).map(move |index| (cam, index));
     let mut places: Vec<(usize, usize)> = cams.iter().enumerate().flat_map(of_cam).collect();
-    let finding = |&(cam, index): &(usize, usize)| &cams[cam].analysis.findings[index];
+    let finding = |&(cam, index): &(usize, usize)| &cams[cam].analysis().findings[index];
     // Of two at one place the first cam's comes first.
     places.sort_by(|one, other| finding(one).gravest_first(finding(other)));
     places
 }
 
 /// Things given for each finding of each cam, in the order in which the findings of both are told.
-pub fn of_both<T>(cams: &[&Current], of_each: Vec<Vec<T>>) -> Vec<T> {
+pub fn of_both<T>(cams: &[&CamStudy], of_each: Vec<Vec<T>>) -> Vec<T> {
     let mut of_each: Vec<Vec<Option<T>>> =
         of_each.into_iter().map(|things| things.into_iter().map(Some).collect()).collect();
     in_order(cams).into_iter().filter_map(|(cam, index)| of_each.get_mut(cam)?.get_mut(index)?.take()).collect()

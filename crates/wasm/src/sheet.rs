@@ -2,9 +2,9 @@
 
 use crate::diagrams::{paint, style_of};
 use levalab_chart::Diagram;
-use levalab_core::Analysis;
+use levalab_core::Column;
 use levalab_edge::value;
-use levalab_format::Design;
+use levalab_format::Study;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
@@ -29,24 +29,19 @@ pub fn draw_sheet(
     held: &[f64],
 ) -> Result<JsValue, JsError> {
     let (style, _) = style_of(style)?;
-    let opened = Design::open(&value(design)).ok();
-    let curve = opened.map(|(design, cam)| {
-        let analysis = Analysis::of(&cam, STEPS);
-        let unit = if design.is_oscillating() { 1_f64.to_degrees() } else { 1.0 };
-        (cam, analysis.summary.s.max * unit, analysis)
-    });
+    let study = Study::open(&value(design), STEPS).ok();
+    let top = study.as_ref().and_then(|study| study.first().report().range(Column::S)).map(|range| range.max);
     let (low, high) = match *held {
         [low, high] => (low, high),
         _ => {
             let low = heights.iter().copied().fold(0.0, f64::min);
             let high = heights.iter().copied().fold(low, f64::max);
             // A curve that swings high above what is asked for is shown too.
-            let high =
-                (high + ABOVE * (high - low)).max(curve.as_ref().map_or(high, |&(_, top, _)| top * (1.0 + BELOW)));
+            let high = (high + ABOVE * (high - low)).max(top.map_or(high, |top| top * (1.0 + BELOW)));
             let high = if high > low { high } else { low + 1.0 };
             (low - BELOW * (high - low), high)
         }
     };
-    let drawn = curve.as_ref().map(|(cam, _, analysis)| (cam, analysis));
+    let drawn = study.as_ref().map(|study| (study.first().cam(), study.first().analysis()));
     paint(canvas, &Diagram::sheet(drawn, low, high), &style)
 }

@@ -1,9 +1,10 @@
 //! What is said of an application. Apart from the voices, so that a page without one does not carry it.
 
 use crate::{Language, Units, capital};
-use levalab_catalogue::{application_label, numbers};
+use levalab_catalogue::application_label;
 use levalab_core::application::{Application, Magnitude};
 use levalab_format::{ApplicationDesign, Design, Outcome, OutputRange, Target};
+use levalab_numbers::write;
 
 /// The name of an application within a sentence: `piston pump`.
 #[must_use]
@@ -90,7 +91,7 @@ impl Sentences<'_> {
 
     /// As many digits as measurements are told with.
     fn fine(&self, value: f64) -> String {
-        numbers::significant(value, 6, self.language.decimal_sign())
+        write::significant(value, 6, self.language.decimal_sign())
     }
 
     fn measured(&self, number: &str, magnitude: Magnitude) -> String {

@@ -23,13 +23,15 @@ mod en;
 mod es;
 mod join;
 mod notation;
+mod number_problem;
 mod pair;
 mod units;
 mod voice;
 
 pub use application::{application_name, application_title, outcome, part_head, part_name};
-pub use levalab_catalogue::{Language, Two, capital, numbers::notation, two};
+pub use levalab_catalogue::{Language, Two, capital, two};
 pub use notation::{SIGNS, Signs};
+pub use number_problem::number_problem;
 pub use pair::no_second;
 pub use voice::FileProblem;
 

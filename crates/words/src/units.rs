@@ -1,8 +1,8 @@
 //! The units that a sentence needs.
 
 use crate::Language;
-use levalab_catalogue::numbers;
 use levalab_format::{Design, LengthUnit, MotionUnits};
+use levalab_numbers::write;
 
 /// The units of a design, and with respect to what its derivatives are written.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +54,6 @@ impl Units {
 
     /// An angle told beside its limit.
     pub(crate) fn angle_beside(value: f64, limit: f64, language: Language) -> String {
-        numbers::beside(value, limit, language.decimal_sign()) + "°"
+        write::compared(value, limit, language.decimal_sign()) + "°"
     }
 }

@@ -2,9 +2,9 @@
 
 use js_sys::Array;
 use levalab_edge::{language, value};
-use levalab_format::Design;
+use levalab_format::Study;
 use levalab_formula::{Element, Node};
-use levalab_solve::{Document, Request, Symbols, Worked, html, latex, markdown, solve};
+use levalab_solve::{Document, Request, Symbols, html, latex, markdown, solve};
 use levalab_words::Language;
 use wasm_bindgen::prelude::*;
 
@@ -40,10 +40,10 @@ pub fn solution_text(
 }
 
 fn solved(design: &JsValue, language: Language, theta: Option<f64>, segment: Option<usize>) -> Option<Document> {
-    let worked = Worked::of(Design::from_value(&value(design)).ok()?).ok()?;
-    let segment = segment.filter(|&k| k < worked.segments());
-    let symbols = Symbols::of(&worked.design);
-    Some(solve(&worked, &Request { language, theta, segment, symbols }))
+    let study = Study::open(&value(design), 1).ok()?;
+    let segment = segment.filter(|&k| k < study.segments());
+    let symbols = Symbols::of(study.design());
+    Some(solve(&study, &Request { language, theta, segment, symbols }))
 }
 
 fn node(node: &Node) -> JsValue {

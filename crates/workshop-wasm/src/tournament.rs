@@ -2,7 +2,7 @@
 
 use levalab_core::LAWS;
 use levalab_edge::{figures, object, value};
-use levalab_format::{Design, by_law, tournament};
+use levalab_format::{Design, Study, by_law, tournament};
 use wasm_bindgen::prelude::*;
 
 /// The contenders of a design's tournament, fifteen numbers each: the place of the law in the catalogue (−1 for the design
@@ -31,6 +31,6 @@ pub fn design_by_law(
     place: usize,
 ) -> Result<JsValue, JsError> {
     let law = LAWS.get(place).ok_or_else(|| JsError::new("no such law"))?;
-    let (design, cam) = Design::open(&value(design)).map_err(|error| JsError::new(&error.path.to_string()))?;
-    object(&by_law(&design, &cam, law))
+    let study = Study::open(&value(design), 1).map_err(|error| JsError::new(&error.path.to_string()))?;
+    object(&by_law(study.design(), study.first().cam(), law))
 }

@@ -125,11 +125,13 @@ function tokensOf(styles) {
 export async function startPage(styles) {
   const document = await becomeBrowser(styles);
   const web = (/** @type {string} */ module) => import(new URL(`web/${module}.js`, root).href);
-  const { initSync, Lab, read_design } = await web("pkg/levalab_wasm");
+  const module = await web("pkg/levalab_wasm");
+  const { initSync, Lab, read_design } = module;
   initSync({ module: await readFile(new URL("web/pkg/levalab_wasm_bg.wasm", root)) });
-  const [{ CATALOGUE: catalogue }, { createStore }, { createTranslate, learn }, { createFormat }, { shelve }, { speakIn }] = await Promise.all(
+  const [{ CATALOGUE: catalogue }, { createStore }, { createTranslate, learn }, { connectNumbers, createFormat }, { shelve }, { speakIn }] = await Promise.all(
     ["pkg/catalogue", "store", "strings/index", "numbers", "shelf", "signs"].map(web),
   );
+  connectNumbers(() => module);
   return async (language) => {
     await learn(language);
     const lab = new Lab();

@@ -1,7 +1,7 @@
 //! ρ where the profile is convex in part and hollow in part: where one passes into the other, and the flattest place of each.
 
-use crate::extreme::{root, summit};
 use crate::samples::{Quantity, Samples};
+use crate::search::{root, summit};
 use crate::{Cam, Extremes};
 use std::f64::consts::TAU;
 

@@ -11,7 +11,7 @@ mod piston_force;
 mod pump;
 mod valve;
 
-use crate::extreme::root;
+use crate::search::root;
 use crate::{Cam, Drive, Summary, Svaj};
 use std::f64::consts::PI;
 

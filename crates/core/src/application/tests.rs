@@ -1,14 +1,12 @@
 //! Claims about applications.
 
 use super::*;
-use crate::{Analysis, Follower, FollowerKind, Program, Rotation, Segment};
+use crate::{Analysis, Follower, Program, Segment};
 
 fn cam(rows: &[(&str, f64, f64)]) -> Cam {
     let segments: Vec<Segment> =
         rows.iter().map(|&(law, beta, rise)| Segment::of(law, beta, rise).expect(law)).collect();
-    let kind = FollowerKind::by_id("translating-flat").expect("a kind");
-    let follower = Follower::new(kind, 40.0, [0.0; 4], Rotation::CounterClockwise).expect("a follower");
-    Cam::new(Program::new(&segments).expect("a program"), follower)
+    Cam::new(Program::new(&segments).expect("a program"), Follower::translating_flat(40.0).expect("a follower"))
 }
 
 fn output(id: &str, output: &str) -> &'static Output {

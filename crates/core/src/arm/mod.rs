@@ -111,25 +111,6 @@ impl Arm {
     }
 }
 
-/// Where a function with one summit between two places is highest, and its value there, by so many steps of a golden section.
-fn peak(mut low: f64, mut high: f64, steps: usize, f: impl Fn(f64) -> f64) -> (f64, f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let (mut left, mut right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-    let (mut at_left, mut at_right) = (f(left), f(right));
-    for _ in 0..steps {
-        if at_left >= at_right {
-            (high, right, at_right) = (right, left, at_left);
-            left = high - GOLDEN * (high - low);
-            at_left = f(left);
-        } else {
-            (low, left, at_left) = (left, right, at_right);
-            right = low + GOLDEN * (high - low);
-            at_right = f(right);
-        }
-    }
-    if at_left >= at_right { (left, at_left) } else { (right, at_right) }
-}
-
 fn dot(a: Point, b: Point) -> f64 {
     a.re * b.re + a.im * b.im
 }
@@ -153,7 +134,7 @@ mod tests {
         let turned: Vec<(&str, f64, f64)> =
             segments.iter().map(|&(law, beta, rise)| (law, beta, rise.to_radians())).collect();
         let kind = FollowerKind::by_id("oscillating-roller").expect("a kind");
-        Cam::new(program(&turned), Follower::new(kind, base, values, rotation).expect("a follower"))
+        Cam::new(program(&turned), Follower::new(kind, base, &values, rotation).expect("a follower"))
     }
 
     fn cut_of(cam: &Cam, rows: usize) -> Option<Finding> {
@@ -237,9 +218,9 @@ mod tests {
 
     #[test]
     fn no_stem_is_cut_and_no_groove_holds_one() {
-        let kind = FollowerKind::by_id("translating-roller").expect("a kind");
         for (eccentricity, lift) in [(25.0, 90.0), (-25.0, 90.0), (29.0, 10.0), (0.0, 120.0)] {
-            let follower = Follower::new(kind, 30.0, [1.0, eccentricity, 0.0, 0.0], Rotation::default());
+            let follower =
+                Follower::translating_roller(30.0, 1.0).and_then(|roller| roller.with_eccentricity(eccentricity));
             let motion = program(&[("cycloidal", 90.0, lift), ("cycloidal", 270.0, -lift)]);
             let cam = Cam::new(motion, follower.expect("a follower"));
             assert!(cut_of(&cam, 720).is_none() && cut_of(&cam.closed_by(Closure::Groove), 720).is_none());

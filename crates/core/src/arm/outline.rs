@@ -1,7 +1,8 @@
 //! The profile as a polygon, and the arm at places around the turn: which sides an arm comes near, and how deep it is inside the cam.
 
-use super::{Arm, Cut, cross, peak};
+use super::{Arm, Cut, cross};
 use crate::samples::Samples;
+use crate::search::golden_maximum;
 use crate::{Body, Cam, Point};
 use std::ops::Range;
 
@@ -178,7 +179,7 @@ impl<'a> Outline<'a> {
             let theta = self.step * place as f64;
             if refined.len() < MAX_REFINED && refined.iter().all(|cut| (cut.place - theta).abs() > 2.0 * width) {
                 let on_polygon = |theta: f64| self.depth(self.arm_at(theta));
-                let found = peak(theta - width, theta + width, GOLDEN_STEPS, on_polygon);
+                let found = golden_maximum(theta - width, theta + width, GOLDEN_STEPS, on_polygon);
                 let (at, depth) = if found.1 > depth { found } else { (theta, depth) };
                 refined.push(Cut { place: theta, theta: at, depth });
             }
@@ -229,7 +230,8 @@ impl<'a> Outline<'a> {
         for (enters, leaves) in self.parts_inside(arm, sides) {
             let (i, depth) = self.deepest_within(arm, (enters, leaves), 0.0);
             let at = |i: usize| enters + (leaves - enters) / INNER_POINTS as f64 * i as f64;
-            let refined = peak(at(i - 1), at(i + 1).min(leaves), GOLDEN_STEPS, |u| self.distance(arm.at(u), 0.0)).1;
+            let refined =
+                golden_maximum(at(i - 1), at(i + 1).min(leaves), GOLDEN_STEPS, |u| self.distance(arm.at(u), 0.0)).1;
             deepest = deepest.max(depth).max(refined);
         }
         deepest

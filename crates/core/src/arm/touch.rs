@@ -1,8 +1,9 @@
 //! Cuts so shallow, or so short, that only the curve shows them: near misses of the polygon, refined on the curve.
 
 use super::outline::{Outline, Pair};
-use super::{Cut, POLYGON_TOLERANCE, dot, peak};
+use super::{Cut, POLYGON_TOLERANCE, dot};
 use crate::Point;
+use crate::search::golden_maximum;
 
 /// Near misses that are refined, the nearest first.
 const MAX_TOUCHES: usize = 8;
@@ -67,9 +68,9 @@ impl Outline<'_> {
                 if beside { dot(across, point - arm.from) } else { f64::NEG_INFINITY }
             };
             let width = TOUCH_STEPS * self.step;
-            peak(vertex - width, vertex + width, GOLDEN_STEPS, beyond).1
+            golden_maximum(vertex - width, vertex + width, GOLDEN_STEPS, beyond).1
         };
-        let (theta, depth) = peak(place - self.step, place + self.step, GOLDEN_STEPS, height);
+        let (theta, depth) = golden_maximum(place - self.step, place + self.step, GOLDEN_STEPS, height);
         Cut { place, theta, depth }
     }
 }

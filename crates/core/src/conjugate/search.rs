@@ -3,6 +3,7 @@
 use super::across::Across;
 use super::{Tie, conjugate};
 use crate::samples::LEAST_STEPS;
+use crate::search::{boundary, golden_maximum};
 use crate::sizing::{geometry_passes, shortfall_of};
 use crate::{Cam, Replay};
 use std::ops::Range;
@@ -13,8 +14,11 @@ const COARSE_STEPS: usize = 120;
 /// Ties tried over the range that the geometry allows.
 const CANDIDATES: usize = 96;
 
-/// Halvings of the gap between a tie that fails and one that passes.
-const HALVINGS: usize = 40;
+/// The gap between a tie that fails and one that passes is halved down to this part of itself.
+const EDGE_TOLERANCE: f64 = 1e-12;
+
+/// Steps of a golden section between three candidates: they shorten the interval by 5·10⁻⁹.
+const GOLDEN_STEPS: usize = 40;
 
 /// How many times the size of the first cam the distance of a second is looked for.
 const FARTHEST: f64 = 1000.0;
@@ -80,12 +84,9 @@ impl Search<'_> {
     }
 
     /// The last value that passes on the way from one that does to one that does not.
-    fn edge(&self, mut inside: f64, mut outside: f64) -> f64 {
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (inside + outside);
-            if self.passes(middle) { inside = middle } else { outside = middle }
-        }
-        inside
+    fn edge(&self, inside: f64, outside: f64) -> f64 {
+        let close = EDGE_TOLERANCE * (outside - inside).abs();
+        boundary((inside, outside), |inside, outside| (outside - inside).abs() <= close, |value| self.passes(value))
     }
 
     /// The least distance that passes: any larger one does too.
@@ -123,7 +124,9 @@ impl Search<'_> {
     fn least_excess(&self, tried: &[f64]) -> Option<(f64, f64)> {
         let excess: Vec<f64> = tried.iter().map(|&value| self.excess(value, COARSE_STEPS)).collect();
         let least = (1..tried.len() - 1).min_by(|&a, &b| excess[a].total_cmp(&excess[b]))?;
-        let best = lowest(tried[least - 1], tried[least + 1], |value| self.excess(value, LEAST_STEPS));
+        let best =
+            golden_maximum(tried[least - 1], tried[least + 1], GOLDEN_STEPS, |value| -self.excess(value, LEAST_STEPS))
+                .0;
         Some((best, excess[least]))
     }
 }
@@ -143,14 +146,4 @@ fn longest_run(count: usize, good: impl Fn(usize) -> bool) -> Range<usize> {
         }
     }
     longest
-}
-
-/// Where `f` is least between two values, by the golden section.
-fn lowest(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
-    const GOLDEN: f64 = 0.618_033_988_749_895;
-    for _ in 0..HALVINGS {
-        let (left, right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
-        if f(left) < f(right) { high = right } else { low = left }
-    }
-    0.5 * (low + high)
 }

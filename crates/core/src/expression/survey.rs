@@ -3,7 +3,7 @@
 use super::enclosure::{Enclosure, ORDERS};
 use super::interval::Interval;
 use super::{Expression, Variables};
-use crate::extreme::root;
+use crate::search::root;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 

@@ -89,44 +89,183 @@ pub enum Drive {
 }
 
 /// A follower resting on a base circle, or on the base line of a cam that travels.
+///
+/// Its fields follow from each other, so they are read by methods and changed by `with_…` only: what a constructor returns can be.
+///
+/// ```
+/// use levalab_core::{Follower, Rotation};
+///
+/// let follower = Follower::translating_roller(35.0, 7.0)?.with_eccentricity(6.0)?.turned(Rotation::Clockwise);
+/// assert_eq!(follower.value("eccentricity"), Some(6.0));
+/// assert!(Follower::translating_roller(35.0, -7.0).is_err());
+/// # Ok::<(), levalab_core::GeometryError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Follower {
-    /// What kind it is.
-    pub kind: &'static FollowerKind,
-    /// Rb; 0 for a cam that travels.
-    pub base_radius: f64,
-    /// Its parameters, in the order of [`FollowerKind::parameters`]; angles in radians.
-    pub values: FollowerValues,
+    pub(crate) kind: &'static FollowerKind,
+    pub(crate) base_radius: f64,
+    pub(crate) values: FollowerValues,
+    pub(crate) drive: Drive,
+    pub(crate) rotation: Rotation,
+    pub(crate) reversed: Option<f64>,
+    pub(crate) body: Body,
+    pub(crate) element: Element,
+}
+
+/// Constructors for each kind. Lengths are in the unit of the design, angles in radians; the cam turns counter-clockwise.
+impl Follower {
+    /// A roller of radius Rf on an axis through the centre of the cam; see [`with_eccentricity`](Self::with_eccentricity).
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn translating_roller(base_radius: f64, roller_radius: f64) -> Result<Self, GeometryError> {
+        Self::new(&translating_roller::KIND, base_radius, &[roller_radius], Rotation::default())
+    }
+
+    /// A knife edge on an axis through the centre of the cam.
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn translating_knife(base_radius: f64) -> Result<Self, GeometryError> {
+        Self::new(&translating_knife::KIND, base_radius, &[], Rotation::default())
+    }
+
+    /// A curved face of radius Rf that slides on the cam, its centre on an axis through the centre of the cam.
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn translating_curved(base_radius: f64, face_radius: f64) -> Result<Self, GeometryError> {
+        Self::new(&translating_curved::KIND, base_radius, &[face_radius], Rotation::default())
+    }
+
+    /// A flat face normal to its axis.
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn translating_flat(base_radius: f64) -> Result<Self, GeometryError> {
+        Self::new(&translating_flat::KIND, base_radius, &[], Rotation::default())
+    }
+
+    /// A roller of radius Rf on an arm of length A that swings about a pivot at distance m from the centre of the cam.
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn oscillating_roller(
+        base_radius: f64,
+        roller_radius: f64,
+        arm: f64,
+        pivot_distance: f64,
+    ) -> Result<Self, GeometryError> {
+        let values = [roller_radius, arm, pivot_distance];
+        Self::new(&oscillating_roller::KIND, base_radius, &values, Rotation::default())
+    }
+
+    /// A flat face that swings about a pivot at distance m from the centre of the cam, with the face through the pivot; see
+    /// [`with`](Self::with) for its offset.
+    ///
+    /// # Errors
+    /// As [`Follower::new`].
+    pub fn oscillating_flat(base_radius: f64, pivot_distance: f64) -> Result<Self, GeometryError> {
+        Self::new(&oscillating_flat::KIND, base_radius, &[0.0, pivot_distance], Rotation::default())
+    }
+
+    /// The same follower with its axis at a distance e to the right of the centre of the cam.
+    ///
+    /// # Errors
+    /// As [`Follower::new`]; a follower without an eccentricity is unsuited.
+    pub fn with_eccentricity(self, eccentricity: f64) -> Result<Self, GeometryError> {
+        self.with(ECCENTRICITY.key, eccentricity)
+    }
+
+    /// The same follower with the parameter of that key, a length or an angle in radians, changed.
+    ///
+    /// # Errors
+    /// As [`Follower::new`]; a parameter that the kind does not have is unsuited.
+    pub fn with(self, key: &'static str, value: f64) -> Result<Self, GeometryError> {
+        let unsuited = GeometryError { key, problem: GeometryProblem::Unsuited };
+        self.with_value(self.kind.index_of(key).ok_or(unsuited)?, value)
+    }
+
+    /// The same follower on a cam that turns in that sense.
+    #[must_use]
+    pub fn turned(self, rotation: Rotation) -> Self {
+        Self { rotation, ..self }
+    }
+}
+
+/// What a follower is made of.
+impl Follower {
+    /// The kind.
+    #[must_use]
+    pub fn kind(&self) -> &'static FollowerKind {
+        self.kind
+    }
+
+    /// Rb; 0 for a cam that travels, which has no base circle.
+    #[must_use]
+    pub fn base_radius(&self) -> f64 {
+        self.base_radius
+    }
+
+    /// The parameters, in the order of [`FollowerKind::parameters`]; lengths, and angles in radians.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values[..self.kind.parameters.len()]
+    }
+
     /// How the cam moves.
-    pub drive: Drive,
-    /// Sense of rotation of the cam.
-    pub rotation: Rotation,
-    /// The greatest displacement of the follower that this is the second element of, on the other side of the shaft. Its own
-    /// displacement is that less the follower's, so it advances on its cam when the first retreats.
-    pub reversed: Option<f64>,
-    /// Its rigid motion.
-    pub body: Body,
+    #[must_use]
+    pub fn drive(&self) -> Drive {
+        self.drive
+    }
+
+    /// The sense in which the cam turns.
+    #[must_use]
+    pub fn rotation(&self) -> Rotation {
+        self.rotation
+    }
+
+    /// Of a second element across the shaft, the maximum displacement of the follower that it belongs to. Its own displacement is that less
+    /// the follower's, so it advances on its cam when the first element retreats. `None` for a first element.
+    #[must_use]
+    pub fn reversed(&self) -> Option<f64> {
+        self.reversed
+    }
+
+    /// The rigid motion.
+    #[must_use]
+    pub fn body(&self) -> Body {
+        self.body
+    }
+
     /// What touches the cam, at s = 0.
-    pub element: Element,
+    #[must_use]
+    pub fn element(&self) -> Element {
+        self.element
+    }
 }
 
 impl Follower {
-    /// Places a follower at s = 0 on its base circle of radius Rb; angles of its parameters in radians.
+    /// Places a follower at s = 0 on its base circle of radius Rb. The values are those of the parameters of its kind, in their order: lengths,
+    /// and angles in radians. Parameters without a value take their default.
     ///
     /// # Errors
-    /// Names the magnitude that makes the geometry impossible: one that is not finite, a size that is not positive, or lengths that do not
-    /// go together ([`Misfit`](crate::Misfit)).
+    /// Names the magnitude that makes the geometry impossible: one that is missing or not finite, a size that is not positive, or lengths that
+    /// do not go together ([`Misfit`](crate::Misfit)).
     pub fn new(
         kind: &'static FollowerKind,
         base_radius: f64,
-        values: FollowerValues,
+        given: &[f64],
         rotation: Rotation,
     ) -> Result<Self, GeometryError> {
         positive("base_radius", base_radius)?;
-        for (parameter, value) in kind.parameters.iter().zip(values) {
+        let mut values = [0.0; MAX_FOLLOWER_PARAMETERS];
+        for (index, parameter) in kind.parameters.iter().enumerate() {
+            let value = given.get(index).copied().or(parameter.default).unwrap_or(f64::NAN);
             if !value.is_finite() {
                 return Err(GeometryError { key: parameter.key, problem: GeometryProblem::NotFinite });
             }
+            values[index] = value;
         }
         let (body, element) = (kind.place)(base_radius, &values)?;
         Ok(Self { kind, base_radius, values, drive: Drive::Turns, rotation, reversed: None, body, element })
@@ -136,7 +275,7 @@ impl Follower {
     ///
     /// # Errors
     /// Names the magnitude that makes it impossible. A follower that swings or has a flat face has no place on such a cam.
-    pub fn on_travel(kind: &'static FollowerKind, values: FollowerValues) -> Result<Self, GeometryError> {
+    pub fn on_travel(kind: &'static FollowerKind, values: &[f64]) -> Result<Self, GeometryError> {
         // On a unit circle all its checks are made; what it rests on is then changed for the base line.
         let resting = Self::new(kind, 1.0, values, Rotation::CounterClockwise)?;
         let unsuited = |key| Err(GeometryError { key, problem: GeometryProblem::Unsuited });
@@ -159,7 +298,7 @@ impl Follower {
         if self.drive == Drive::Travels || self.reversed.is_some() {
             return Err(GeometryError { key: "base_radius", problem: GeometryProblem::Unsuited });
         }
-        Self::new(self.kind, base_radius, self.values, self.rotation)
+        Self::new(self.kind, base_radius, self.values(), self.rotation)
     }
 
     /// The same follower with one parameter changed.
@@ -170,8 +309,8 @@ impl Follower {
         let mut values = self.values;
         values[index] = value;
         match self.drive {
-            Drive::Turns => Self::new(self.kind, self.base_radius, values, self.rotation),
-            Drive::Travels => Self::on_travel(self.kind, values),
+            Drive::Turns => Self::new(self.kind, self.base_radius, &values, self.rotation),
+            Drive::Travels => Self::on_travel(self.kind, &values),
         }
     }
 
@@ -227,22 +366,35 @@ impl Follower {
 mod tests {
     use super::*;
 
-    fn opening(id: &str, base_radius: f64, values: FollowerValues) -> f64 {
-        let kind = FollowerKind::by_id(id).expect(id);
-        Follower::new(kind, base_radius, values, Rotation::default())
-            .expect(id)
-            .opening()
-            .expect("it swings")
-            .to_degrees()
+    fn opening(follower: Result<Follower, GeometryError>) -> f64 {
+        follower.expect("a follower").opening().expect("it swings").to_degrees()
     }
 
     #[test]
     fn the_opening_is_that_of_the_triangle_or_of_the_face() {
         // Example 2RO: cos ξ₀ = (80² + 80² − 50²)/(2·80·80).
-        assert!((opening("oscillating-roller", 40.0, [10.0, 80.0, 80.0, 0.0]) - 36.42).abs() < 0.005);
+        assert!((opening(Follower::oscillating_roller(40.0, 10.0, 80.0, 80.0)) - 36.42).abs() < 0.005);
         // sin ξ₀ = (Rb − f)/m, wherever the pivot is.
-        assert!((opening("oscillating-flat", 50.0, [10.0, 80.0, 1.2, 0.0]) - 30.0).abs() < 1e-12);
+        let flat = |base_radius, offset| {
+            Follower::new(&oscillating_flat::KIND, base_radius, &[offset, 80.0, 1.2], Rotation::default())
+        };
+        assert!((opening(flat(50.0, 10.0)) - 30.0).abs() < 1e-12);
         // A face that passes the cam's centre lies beyond the line of centres.
-        assert!((opening("oscillating-flat", 10.0, [50.0, 80.0, 1.2, 0.0]) + 30.0).abs() < 1e-12);
+        assert!((opening(flat(10.0, 50.0)) + 30.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_value_that_is_left_out_takes_its_default_or_is_missed_by_name() {
+        let roller = Follower::translating_roller(35.0, 7.0).expect("a roller");
+        assert_eq!(roller.values(), [7.0, 0.0]);
+        let missing = Follower::new(&translating_roller::KIND, 35.0, &[], Rotation::default());
+        assert_eq!(missing.err().map(|error| error.key), Some("roller_radius"));
+    }
+
+    #[test]
+    fn a_parameter_that_a_kind_does_not_have_is_unsuited() {
+        let error =
+            Follower::translating_flat(40.0).expect("a face").with_eccentricity(3.0).expect_err("no eccentricity");
+        assert_eq!((error.key, error.problem), ("eccentricity", GeometryProblem::Unsuited));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::leg::Leg;
 use crate::Svaj;
-use crate::extreme::root;
+use crate::search::root;
 
 /// Places at which a piece is looked at.
 const LOOKS: usize = 64;

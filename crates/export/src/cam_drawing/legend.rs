@@ -113,8 +113,8 @@ fn name(subject: &Subject, curve: &Curve) -> String {
     let radius = match curve.shape {
         Shape::Circle(radius) => {
             let symbol = if curve.role == Role::Prime { "R_p" } else { "R_b" };
-            let symbol = Signs::of(subject.design.notation).plain(symbol);
-            format!(", {symbol} = {} {}", language.number(radius), subject.design.length_unit.symbol())
+            let symbol = Signs::of(subject.design().notation).plain(symbol);
+            format!(", {symbol} = {} {}", language.number(radius), subject.design().length_unit.symbol())
         }
         Shape::Closed(_) | Shape::Open(_) => String::new(),
     };

@@ -16,20 +16,28 @@ impl Design {
     /// Names the first place that is wrong: a title, a number out of range, β's that miss 360°, rises that miss the
     /// starting height, a law or a geometry that cannot be.
     pub fn cam(&self) -> Result<Cam, DesignError> {
+        self.cams().map(|(first, _)| first)
+    }
+
+    /// Checks everything as [`Design::cam`] does and gives the cam with the second one of a conjugate pair.
+    ///
+    /// # Errors
+    /// As [`Design::cam`].
+    pub fn cams(&self) -> Result<(Cam, Option<Cam>), DesignError> {
         check_title(&self.title)?;
         check_range(["speed", "value"], self.speed.value, &SPEED, Measure::Speed)?;
         self.check_geometry()?;
         let program = self.program()?;
         let values = to_core(self.follower.parameters, self.values, 1.0, 1.0);
         let follower = match self.kind.travel() {
-            Some(_) => Follower::on_travel(self.follower, values),
-            None => Follower::new(self.follower, self.base_radius, values, self.rotation),
+            Some(_) => Follower::on_travel(self.follower, &values),
+            None => Follower::new(self.follower, self.base_radius, &values, self.rotation),
         };
         let follower = follower.map_err(|error| self.geometry_error(error))?;
         let cam = Cam::new(program, follower).closed_by(self.kind.closure());
-        self.second(&cam)?;
+        let second = self.second(&cam)?;
         self.check_application()?;
-        Ok(cam)
+        Ok((cam, second))
     }
 
     fn check_geometry(&self) -> Result<(), DesignError> {

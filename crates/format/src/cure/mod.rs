@@ -145,7 +145,7 @@ pub fn cures(design: &Design, cam: &Cam, analysis: &Analysis) -> Vec<Vec<DesignC
 }
 
 fn cures_in_parts(design: &Design, cam: &Cam, analysis: &Analysis, replay: &Replay) -> Vec<Vec<DesignCure>> {
-    let remedies = if cam.follower.reversed.is_some() {
+    let remedies = if cam.follower.reversed().is_some() {
         remedies_of_second(design, analysis, replay)
     } else {
         let exact = prescribe_in_parts(cam, analysis, replay);
@@ -235,7 +235,7 @@ fn offered(
     let found = match tried.iter().find(|(other, _)| *other == remedy) {
         Some((_, found)) => found.clone(),
         None => {
-            let found = trial(design, &edits, cam.follower.reversed.is_some(), replay);
+            let found = trial(design, &edits, cam.follower.reversed().is_some(), replay);
             tried.push((remedy.clone(), found.clone()));
             found
         }
@@ -243,7 +243,7 @@ fn offered(
     let lift = analysis.summary.s.max;
     let same_lift = (found.lift - lift).abs() <= LIFT_TOLERANCE * lift.abs();
     // A change of laws has been held to the lift already. A second cam has a displacement of its own, which follows from its tie.
-    let may_differ = cam.follower.reversed.is_some() || matches!(remedy, Remedy::Laws { .. });
+    let may_differ = cam.follower.reversed().is_some() || matches!(remedy, Remedy::Laws { .. });
     let gone = found.left & bit(finding.kind) == 0;
     let eased = matches!(remedy, Remedy::Eccentricity { .. });
     let remedy = match remedy {
@@ -317,8 +317,8 @@ fn in_units(design: &Design, cam: &Cam, cure: Cure, replay: &Replay) -> Remedy {
         }
         Cure::Travel(exact) => Remedy::Travel { value: shortest_passing_in_parts(cam, exact, replay) },
         Cure::Length { key, value: exact } => {
-            let index = cam.follower.kind.index_of(key).unwrap_or_default();
-            let grows = exact > cam.follower.values[index];
+            let index = cam.follower.kind().index_of(key).unwrap_or_default();
+            let grows = exact > cam.follower.values()[index];
             let passes = |&value: &f64| {
                 let moved = |value| Some(cam.with_follower(cam.follower.with_value(index, value).ok()?));
                 replay.holds(|| moved(value).is_some_and(|cam| geometry_passes(&cam)))
@@ -332,7 +332,7 @@ fn in_units(design: &Design, cam: &Cam, cure: Cure, replay: &Replay) -> Remedy {
         Cure::Eccentricity { value, pressure_angle } => {
             let rounded = round(value, DIGITS, f64::round);
             let moved =
-                cam.follower.kind.index_of("eccentricity").and_then(|i| cam.follower.with_value(i, rounded).ok());
+                cam.follower.kind().index_of("eccentricity").and_then(|i| cam.follower.with_value(i, rounded).ok());
             let remaining = moved.map_or(pressure_angle, |follower| {
                 replay.value(|| {
                     let analysis = Analysis::of(&cam.with_follower(follower), LOOK);

@@ -23,7 +23,7 @@ mod tests {
             let fixed = matches!(law.shape, Shape::Unit(_)) && law.parameters.is_empty();
             let printed = fixed
                 && law
-                    .unit(crate::study::rising(law))
+                    .unit(crate::law_facts::rising(law))
                     .is_ok_and(|pieces| levalab_formula::curve::written(&pieces).is_some());
             assert!(printed || !row.formulas.is_empty(), "{} has no formula", law.id);
         }

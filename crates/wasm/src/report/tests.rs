@@ -1,16 +1,15 @@
 use super::*;
 use crate::instant;
-use crate::lab::analyse;
 use levalab_core::{FindingKind, Level};
 use levalab_format::EXAMPLES;
 use serde_json::{Value, json};
 
-fn opened(design: &Value) -> (Current, Option<Current>) {
-    analyse(design, 720).unwrap_or_else(|error| panic!("{error:?} {design}"))
+fn opened(design: &Value) -> Study {
+    Study::open(design, 720).unwrap_or_else(|error| panic!("{error:?} {design}"))
 }
 
-fn told(first: &Current, second: Option<&Current>, language: Language) -> Value {
-    serde_json::to_value(PageReport::of(first, second, language)).expect("JSON")
+fn told(study: &Study, language: Language) -> Value {
+    serde_json::to_value(PageReport::of(study, language)).expect("JSON")
 }
 
 /// A pair with jumps of *v* and of *j*, one of whose cams has a pressure angle of its own that is too large.
@@ -51,12 +50,11 @@ fn translating() -> Value {
 
 #[test]
 fn findings_of_both_cams_are_told_by_severity_and_place_with_their_own_cures() {
-    let (first, second) = opened(&pair());
-    let second = second.expect("a pair");
-    let cams = [&first, &second];
-    let report = told(&first, Some(&second), Language::En);
+    let study = opened(&pair());
+    let cams = [study.first(), study.second().expect("a pair")];
+    let report = told(&study, Language::En);
     let findings = report["verdict"]["findings"].as_array().expect("findings");
-    let of_each = cams.map(|current| current.report.findings.len());
+    let of_each = cams.map(|cam| cam.report().findings.len());
     assert_eq!(findings.len(), of_each[0] + of_each[1]);
     let key = |finding: &Value| {
         let rank = ["unacceptable", "low-speed", "acceptable"].iter().position(|level| *level == finding["severity"]);
@@ -69,35 +67,35 @@ fn findings_of_both_cams_are_told_by_severity_and_place_with_their_own_cures() {
     let both = findings.iter().map(|finding| finding["cam"].as_u64().expect("a cam")).collect::<Vec<_>>();
     assert!(both.windows(2).filter(|pair| pair[0] != pair[1]).count() > 1, "the cams alternate: {both:?}");
     // What is given with the findings of each cam comes in the same order.
-    let tagged = |k: usize| (0..of_each[k]).map(|i| cams[k].report.findings[i].theta).collect::<Vec<f64>>();
+    let tagged = |k: usize| (0..of_each[k]).map(|i| cams[k].report().findings[i].theta).collect::<Vec<f64>>();
     let places = of_both(&cams, vec![tagged(0), tagged(1)]);
     assert_eq!(places, findings.iter().map(|finding| key(finding).1).collect::<Vec<f64>>());
 }
 
 #[test]
 fn the_headline_of_a_pair_names_the_cam_that_it_is_about() {
-    let (first, second) = opened(&pair());
-    let second = second.expect("a pair");
+    let study = opened(&pair());
+    let (first, second) = (study.first(), study.second().expect("a pair"));
     for language in [Language::En, Language::Es] {
-        for (one, other) in [(&first, &second), (&second, &first)] {
-            let report = told(one, Some(other), language);
-            let headlines = [one, other].map(|current| levalab_words::headline(language, &current.report));
+        for (one, other) in [(first, second), (second, first)] {
+            let report = serde_json::to_value(PageReport::of_cams(one, Some(other), language)).expect("JSON");
+            let headlines = [one, other].map(|cam| levalab_words::headline(language, cam.report()));
             let verdict = &report["verdict"];
-            let expected = if other.report.level > one.report.level { 1 } else { 0 };
+            let expected = if other.report().level > one.report().level { 1 } else { 0 };
             assert_eq!(verdict["headline"], headlines[expected]);
             let cam = if headlines[0] == headlines[1] { Value::Null } else { json!(expected + 1) };
             assert_eq!(verdict["cam"], cam);
             assert_eq!(report["conjugate"]["verdict"]["cam"], 2);
         }
     }
-    assert_eq!(first.report.level.max(second.report.level), Level::Unacceptable);
+    assert_eq!(study.level(), Level::Unacceptable);
 }
 
 #[test]
 fn jumps_are_told_by_angle_and_by_time_in_both_languages() {
-    let (cam, _) = opened(&translating());
+    let study = opened(&translating());
     let message = |language, key: &str| {
-        let report = told(&cam, None, language);
+        let report = told(&study, language);
         let findings = report["verdict"]["findings"].as_array().expect("findings").clone();
         let jump = findings.into_iter().find(|finding| finding["code"] == "velocity-jump").expect("a jump of v");
         jump[key].as_str().expect("a sentence").to_owned()
@@ -107,7 +105,7 @@ fn jumps_are_told_by_angle_and_by_time_in_both_languages() {
     assert!(message(Language::En, "message_by_time").contains("by up to 1273\u{a0}mm/s at"));
     assert!(message(Language::Es, "message").contains("12,73\u{a0}mm/rad"));
     assert!(message(Language::Es, "message_by_time").contains("1273\u{a0}mm/s"));
-    let report = told(&cam, None, Language::En);
+    let report = told(&study, Language::En);
     for finding in report["verdict"]["findings"].as_array().expect("findings") {
         let derivative =
             finding["code"].as_str().is_some_and(|code| code.ends_with("-jump") && code != "displacement-jump");
@@ -119,18 +117,16 @@ fn jumps_are_told_by_angle_and_by_time_in_both_languages() {
 fn no_sentence_by_time_and_no_cure_states_a_derivative_by_angle() {
     let examples = EXAMPLES.iter().map(|(_, json)| serde_json::from_str(json).expect("JSON"));
     for design in examples.chain([pair(), translating(), wedge()]) {
-        let (first, second) = opened(&design);
-        for (current, language) in
-            [&first].into_iter().chain(&second).flat_map(|current| [(current, Language::En), (current, Language::Es)])
-        {
-            for finding in &current.report.findings {
-                let by_time = levalab_words::finding_by_time(language, &current.design, finding);
+        let study = opened(&design);
+        for (cam, language) in study.cams().flat_map(|cam| [(cam, Language::En), (cam, Language::Es)]) {
+            for finding in &cam.report().findings {
+                let by_time = levalab_words::finding_by_time(language, cam.design(), finding);
                 assert_eq!(by_time.is_some(), matches!(finding.kind, FindingKind::Jump(1..)), "{:?}", finding.kind);
                 let said = by_time.unwrap_or_default();
                 assert!(!said.contains("/rad") && !said.contains("1/mm"), "{said}");
             }
-            if current.cam.follower.reversed.is_none() {
-                let cures = cures(current, language);
+            if cam.cam().follower.reversed().is_none() {
+                let cures = told_cures(cam, cam.cures(), language);
                 let said = serde_json::to_string(&cures).expect("JSON");
                 assert!(!said.contains("/rad") && !said.contains("/s"), "{said}");
             }
@@ -141,26 +137,27 @@ fn no_sentence_by_time_and_no_cure_states_a_derivative_by_angle() {
 #[test]
 fn the_sliding_of_the_contact_is_given_by_angle_and_by_time_with_its_units() {
     for (design, by_angle) in [(translating(), "mm/rad"), (pair(), "mm/rad"), (wedge(), "")] {
-        let (current, _) = opened(&design);
-        let units = &told(&current, None, Language::En)["units"];
+        let study = opened(&design);
+        let units = &told(&study, Language::En)["units"];
         assert_eq!((&units["u"], &units["U"]), (&json!(by_angle), &json!("mm/s")));
         let mut at = [0.0; instant::LENGTH];
-        let omega = current.design.omega();
-        instant::fill(&current.cam, omega, 20.0, &mut at);
+        let omega = study.design().omega();
+        instant::fill(study.first().cam(), omega, 20.0, &mut at);
         assert!(at[8] != 0.0 && (at[22] - at[8] * omega).abs() <= 1e-12 * at[22].abs(), "{} {}", at[8], at[22]);
     }
 }
 
 #[test]
 fn the_units_of_a_wedge_are_the_same_on_the_page_and_in_its_sentences() {
-    let (current, _) = opened(&wedge());
-    let report = told(&current, None, Language::En);
+    let study = opened(&wedge());
+    let report = told(&study, Language::En);
     let units = |keys: [&str; 3]| keys.map(|key| report["units"][key].as_str().expect("a unit").to_owned());
     assert_eq!(units(["v", "a", "j"]), ["", "1/mm", "1/mm²"]);
     assert_eq!(units(["V", "A", "J"]), ["mm/s", "mm/s²", "mm/s³"]);
-    let jump = current.report.findings.iter().find(|finding| finding.kind == FindingKind::Jump(1)).expect("a jump");
-    let said = levalab_words::finding(Language::En, &current.design, jump);
+    let jump =
+        study.first().report().findings.iter().find(|finding| finding.kind == FindingKind::Jump(1)).expect("a jump");
+    let said = levalab_words::finding(Language::En, study.design(), jump);
     assert!(said.contains("by up to 0.3333 at"), "{said}");
-    let by_time = levalab_words::finding_by_time(Language::En, &current.design, jump).expect("by time");
+    let by_time = levalab_words::finding_by_time(Language::En, study.design(), jump).expect("by time");
     assert!(by_time.contains("by up to 10\u{a0}mm/s at"), "{by_time}");
 }

@@ -1,7 +1,7 @@
 //! What can be said of a law from its own curve: its peaks, and what jumps between two rests.
 
 use levalab_core::law::{Arguments, Piece};
-use levalab_core::{Analysis, Cam, Follower, FollowerKind, Law, Program, Rotation, Segment, Svaj};
+use levalab_core::{Analysis, Cam, Follower, Law, Program, Segment, Svaj};
 
 /// A rise with the parameters that a form starts with.
 pub(crate) fn rising(law: &Law) -> Arguments {
@@ -12,7 +12,7 @@ pub(crate) fn rising(law: &Law) -> Arguments {
 const ROUNDING: f64 = 1e-9;
 
 /// A law between two rests.
-pub struct Study {
+pub struct LawFacts {
     /// Its curve.
     pub pieces: Vec<Piece>,
     /// Greatest |y|, |y′|, |y″| and |y‴|.
@@ -21,7 +21,7 @@ pub struct Study {
     pub jumps: [Vec<(f64, f64)>; 4],
 }
 
-impl Study {
+impl LawFacts {
     /// Studies a law with the parameters that a form starts with; none when its curve depends on data.
     #[must_use]
     pub fn of(law: &Law) -> Option<Self> {
@@ -70,7 +70,5 @@ fn peaks(law: &Law) -> Option<[f64; 4]> {
 pub(crate) fn cam(rows: &[(&str, f64, f64)]) -> Option<Cam> {
     let segments: Option<Vec<Segment>> = rows.iter().map(|&(law, beta, rise)| Segment::of(law, beta, rise)).collect();
     let program = Program::new(&segments?).ok()?;
-    let kind = FollowerKind::by_id("translating-knife")?;
-    let follower = Follower::new(kind, 4.0, [0.0; 4], Rotation::CounterClockwise).ok()?;
-    Some(Cam::new(program, follower))
+    Some(Cam::new(program, Follower::translating_knife(4.0).ok()?))
 }
