@@ -50,10 +50,10 @@ fn peaks(cam: &Cam) -> [f64; 4] {
     [summary.s, summary.v, summary.a, summary.j].map(|extremes| extremes.greatest_size().0)
 }
 
-/// What is wrong, however many times, in the order of the codes: places where the geometry is singular are not exact.
+/// What is wrong, however many times, in the order of their names: places where the geometry is singular are not exact.
 fn kinds(analysis: &Analysis) -> Vec<FindingKind> {
     let mut kinds: Vec<FindingKind> = analysis.findings.iter().map(|finding| finding.kind).collect();
-    kinds.sort_by_key(|kind| kind.code());
+    kinds.sort_by_key(|kind| format!("{kind:?}"));
     kinds.dedup();
     kinds
 }

@@ -38,6 +38,8 @@ fn ends(segment: &Segment) -> Option<Ends> {
         // Its return is its rise reversed: soft where the rise is hard.
         "double-harmonic" if segment.rise < 0.0 => plain([0.0, pi2, 0.0], [0.0; 3]),
         "double-harmonic" => plain([0.0; 3], [0.0, -pi2, 0.0]),
+        // 4π² · 1125/1192 · (1 + 1/2 + 1/10), three harmonics in step at both ends.
+        "freudenstein-1-3-5" => plain([0.0, 0.0, 900.0 / 149.0 * pi2], [0.0, 0.0, 900.0 / 149.0 * pi2]),
         "cycloidal" => plain([0.0, 0.0, 4.0 * pi2], [0.0, 0.0, 4.0 * pi2]),
         "polynomial-3-4-5" | "polynomial" | "bspline" | "bezier" | "formula" => {
             plain([0.0, 0.0, 60.0], [0.0, 0.0, 60.0])

@@ -4,7 +4,7 @@ import { s } from "./dom.js";
 const CAM = "M20 40c-6.6 0-11-4-11-9 0-6 5-12 11-12s11 6 11 12c0 5-4.4 9-11 9z";
 
 /** @type {Record<string, () => SVGElement[]>} */
-const DRAWINGS = {
+export const DRAWINGS = {
   "translating-roller": () => [cam(), s("circle", { cx: 20, cy: 14, r: 5, class: "part" }), line("M20 14V1"), guide()],
   "translating-knife": () => [cam(), s("path", { d: "M20 19l-3.4-7V1h6.8v11z", class: "part" }), guide()],
   "translating-curved": () => [cam(), s("path", { d: "M11 13q9 12 18 0z", class: "part" }), line("M20 13V1"), guide()],

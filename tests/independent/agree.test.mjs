@@ -30,6 +30,21 @@ for (const [number, kind] of kinds.entries()) {
   }
 }
 
+/** The first cells of the rows of a table of the documentation, which a test of levalab-format holds to the catalogue. @param {string} heads */
+function documented(heads) {
+  const lines = readFileSync(path.join(root, "docs/design-format.md"), "utf8").split("\n");
+  const first = lines.indexOf(heads) + 2;
+  const rows = lines.slice(first, lines.findIndex((line, at) => at >= first && !line.startsWith("|")));
+  return rows.map((row) => [...row.matchAll(/^\| `([^`]+)`(?: \| `([^`]+)`)?/g)].flatMap(([, one, other]) => [one, other].filter(Boolean)).join("-"));
+}
+
+test("every law and follower has formulas here", () => {
+  const laws = documented("| law | name | takes | code | version |");
+  assert(laws.length > 20, "the table is found");
+  assert.deepEqual([...FREE_LAWS, ...MATCHED_LAWS].sort(), laws.sort());
+  assert.deepEqual(Object.keys(FOLLOWERS).sort(), documented("| motion | contact | name | parameters | code | version |").sort());
+});
+
 test("every law had its turn", () => {
   assert.deepEqual([...FREE_LAWS, ...MATCHED_LAWS].filter((law) => !drawn.has(law)), []);
 });

@@ -91,6 +91,13 @@ const LAWS = {
     return [1 - y, v, -a, j];
   },
   cycloidal: (x) => [x - sin(TAU * x) / TAU, 1 - cos(TAU * x), TAU * sin(TAU * x), TAU ** 2 * cos(TAU * x)],
+  "freudenstein-1-3-5": (x) => {
+    // With the coefficients 1, 1/54 and 1/1250 the velocity is zero at both ends for this share alone.
+    const share = 1 / (1 + 3 / 54 + 5 / 1250);
+    /** @param {(angle: number) => number} wave @param {number} order */
+    const harmonics = (wave, order) => wave(TAU * x) + (3 ** order * wave(3 * TAU * x)) / 54 + (5 ** order * wave(5 * TAU * x)) / 1250;
+    return [x - (share / TAU) * harmonics(sin, 0), 1 - share * harmonics(cos, 1), share * TAU * harmonics(sin, 2), share * TAU ** 2 * harmonics(cos, 3)];
+  },
   "polynomial-3-4-5": polynomial([0, 0, 0, 10, -15, 6]),
   "polynomial-4-5-6-7": polynomial([0, 0, 0, 0, 35, -84, 70, -20]),
   "modified-trapezoidal": (x) => antisymmetric((u) => sineConstantCosine(u, 1 / 4, 1 / 2), x),

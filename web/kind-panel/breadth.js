@@ -48,7 +48,7 @@ export function createBreadthPanel(context) {
     while (rows.childElementCount > listed.length) rows.lastElementChild?.remove();
     while (rows.childElementCount < listed.length) rows.append(h("li", {}, h("span"), h("span"), h("span")));
     listed.forEach(({ law, beta, rise }, index) => {
-      const texts = [t(law === "circular-arc" ? "breadth.arc" : `law.${law}`), format.number(rounded(beta), { unit: "°" }), rise === 0 ? "" : format.number(rounded(rise), { unit })];
+      const texts = [t(`law.${law}`), format.number(rounded(beta), { unit: "°" }), rise === 0 ? "" : format.number(rounded(rise), { unit })];
       texts.forEach((text, column) => write(/** @type {Element} */ (rows.children[index]?.children[column]), text));
     });
     write(note, cam.generator === "mirror" ? t("breadth.mirror") : t(program.length > LISTED ? "breadth.ready.more" : "breadth.ready", { count: program.length - LISTED }));

@@ -88,7 +88,7 @@ function createView({ store, workshop, t, announce }) {
     const { report } = store.state;
     const laws = (report.program ?? store.lastGood().segments).map(({ law }) => law);
     const count = report.program ? laws.length / 2 : laws.length;
-    const names = [t("solution.all"), ...laws.slice(0, count).map((law, k) => `${k + 1}. ${t(law === "circular-arc" ? "breadth.arc" : `law.${law}`)}`)];
+    const names = [t("solution.all"), ...laws.slice(0, count).map((law, k) => `${k + 1}. ${t(`law.${law}`)}`)];
     const chosen = Number(segment.value) < count ? segment.value : "";
     if (names.join("\n") !== Array.from(segment.options, (option) => option.text).join("\n")) {
       segment.replaceChildren(...names.map((name, k) => h("option", { value: k === 0 ? "" : k - 1 }, name)));

@@ -40,7 +40,7 @@ export function mechanismInWords({ store, t, format }) {
   const alone = t(kind === "rotating" ? "stage.alternative" : `stage.alternative.${kind}`, {
     length: length(span),
     breadth: length(summary.breadth?.max ?? 0),
-    follower: t(`stage.follower.${mechanism.motion}-${mechanism.contact}`),
+    follower: t(`follower.noun.${mechanism.motion}-${mechanism.contact}`),
     base: length(mechanism.base_radius),
     reach: length(mechanism.reach),
     sense: t(mechanism.sense > 0 ? "stage.counterclockwise" : "stage.clockwise"),

@@ -5,7 +5,7 @@ export const applicationEn = {
   "application.about": "What the follower drives: a force, a pump, a valve. Points to hit are marked, with the error at each.",
   "application.kind": "Driven by the follower",
   "application.none": "Nothing",
-  "application.swings": "The displacement of a follower that swings is an angle, and what it drives would need a lever besides. Choose a follower that slides.",
+  "application.swings": "The displacement of an oscillating follower is an angle, and what it drives would need a lever as well. Choose a translating follower.",
   "application.second": "It is driven by the follower of both cams; its motion is that of the first.",
   "application.against": "Horizontal axis",
   "application.against.theta": "against θ",

@@ -15,7 +15,7 @@ export const freeEn = {
   "edit.ordinates": "ordinates",
   "free.expression": "s of segment {number} =",
   "free.expression.swing": "s of segment {number}, in radians =",
-  "free.expression.swing.hint": "The follower swings: in the formula s, L and s₀ are in radians (1° = π/180), though the page shows them in degrees.",
+  "free.expression.swing.hint": "The follower oscillates: in the formula s, L and s₀ are in radians (1° = π/180), though the page shows them in degrees.",
   "free.expression.hint": "x = θ/β, θ from the start of the segment (rad), β, L (rise), s₀ (height before it), π, e; sin cos tan asin acos atan sinh cosh tanh exp ln log sqrt.",
   "free.points": "Points of segment {number}",
   "free.points.hint": "A line for each point: θ from the start of the segment, and s. Paste from a spreadsheet.",

@@ -1,5 +1,6 @@
 /**
  * The page's words, one file a language, loaded when that language is wanted; `stage.*.js` hold those of the mechanism, diagrams and readouts.
+ * Names of laws, followers and kinds of cam come from the catalogue (`pkg/names.*.js`).
  *
  * @import { Language, Translate } from "../types.d.ts"
  */
@@ -41,7 +42,7 @@ const PLURAL = { en: new Intl.PluralRules("en"), es: new Intl.PluralRules("es") 
 export function createTranslate(language) {
   return (key, values = {}) => {
     const phrase = LANGUAGES[language()][key];
-    if (phrase === undefined) return humble(key);
+    if (phrase === undefined) return key;
     const text = say(typeof phrase === "string" ? phrase : phrase[form(language(), values["count"])]);
     return text.replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name] ?? ""));
   };
@@ -54,14 +55,6 @@ export function createTranslate(language) {
  */
 function form(language, count) {
   return PLURAL[language].select(Number(count ?? 0)) === "one" ? "one" : "other";
-}
-
-/**
- * A law or a follower that is newer than these strings goes by its id, as words.
- * @param {string} key
- */
-function humble(key) {
-  return key.slice(key.indexOf(".") + 1).replaceAll("-", " ");
 }
 
 /**

@@ -15,7 +15,6 @@ export const kindsEn = {
   "breadth.ready": "This motion follows from Rb and the breadth: change those.",
   "breadth.ready.more": "… and {count} more that repeat these. This motion follows from Rb and the breadth: change those.",
   "breadth.mirror": "Your segments cover 180° and rise by the travel; the other half turn is their image, upside down, so that the breadth stays constant.",
-  "breadth.arc": "Circular arc",
 
   "pair.title": "Second cam",
   "pair.remove": "Remove it",

@@ -15,7 +15,6 @@ export const kindsEs = {
   "breadth.ready": "Este movimiento se deduce de Rb y de la anchura: cambie esos valores.",
   "breadth.ready.more": "… y {count} más que repiten estos. Este movimiento se deduce de Rb y de la anchura: cambie esos valores.",
   "breadth.mirror": "Sus tramos cubren 180° y suben el recorrido; la otra media vuelta es su imagen invertida, y así la anchura permanece constante.",
-  "breadth.arc": "Arco de circunferencia",
 
   "pair.title": "Segunda leva",
   "pair.remove": "Retirarla",

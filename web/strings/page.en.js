@@ -1,4 +1,5 @@
 /** The words of the main screen, in English. */
+export { names } from "../pkg/names.en.js";
 export { en } from "./en.js";
 export { filesEn } from "./files.en.js";
 export { freeEn } from "./free.en.js";

@@ -1,4 +1,5 @@
 /** The words of the main screen, in Spanish. */
+export { names } from "../pkg/names.es.js";
 export { es } from "./es.js";
 export { filesEs } from "./files.es.js";
 export { freeEs } from "./free.es.js";

@@ -3,24 +3,18 @@
 export const stageEn = {
   "stage.title": "Mechanism",
   "stage.alternative":
-    "Plate cam with {follower}, drawn to scale. The cam turns {sense}; its base radius is {base} and its profile reaches {reach} from the centre.",
+    "Plate cam and {follower}, drawn to scale. The cam turns {sense}; its base radius is {base} and its profile reaches {reach} from the centre.",
   "stage.alternative.grooved":
-    "Disc with a groove in its face and {follower} running in it, drawn to scale. The cam turns {sense}; the base radius is {base} and the inner wall reaches {reach} from the centre.",
+    "Disc with a groove in its face, in which the {follower} runs, drawn to scale. The cam turns {sense}; the base radius is {base} and the inner wall reaches {reach} from the centre.",
   "stage.alternative.constant-breadth":
-    "Cam of constant breadth between the two sides of a yoke, {follower}, drawn to scale. The cam turns {sense}; its base radius is {base} and its breadth {breadth}.",
-  "stage.alternative.translating": "Wedge of length {length} that travels back and forth under {follower}, drawn to scale.",
+    "Cam of constant breadth between the two sides of a yoke ({follower}), drawn to scale. The cam turns {sense}; its base radius is {base} and its breadth {breadth}.",
+  "stage.alternative.translating": "Wedge of length {length} that travels back and forth under the {follower}, drawn to scale.",
   "stage.alternative.pair": "A second cam on the same shaft, hatched, with base radius {base}, carries the other side of the follower.",
   "stage.pointer.travel": "x {x}  y {y} {unit} · at {place} {unit} of the cam",
   "stage.keys":
     "Left and right arrows turn the cam by 1°, with Shift by 10°, with Alt by 0.1°. Home and End go to the ends of the turn, Space plays and pauses. Plus, minus and zero zoom in, zoom out and fit; Ctrl with arrows moves the picture.",
   "stage.hint.wheel": "Ctrl + wheel zooms",
   "stage.hint.finger": "Tap the picture first, then drag",
-  "stage.follower.translating-roller": "a translating roller follower",
-  "stage.follower.translating-knife": "a translating knife-edge follower",
-  "stage.follower.translating-curved": "a translating mushroom follower",
-  "stage.follower.translating-flat": "a translating flat-faced follower",
-  "stage.follower.oscillating-roller": "an oscillating roller follower",
-  "stage.follower.oscillating-flat": "an oscillating flat-faced follower",
   "stage.counterclockwise": "counter-clockwise",
   "stage.clockwise": "clockwise",
   "stage.layers": "Layers",

@@ -7,7 +7,7 @@ export const stageEs = {
   "stage.alternative.grooved":
     "Disco con una ranura en su cara, por la que corre un {follower}, dibujado a escala. La leva gira en sentido {sense}; su radio base es {base} y la pared interior se aleja hasta {reach} del centro.",
   "stage.alternative.constant-breadth":
-    "Leva de anchura constante entre los dos lados de un marco, {follower}, dibujada a escala. La leva gira en sentido {sense}; su radio base es {base} y su anchura {breadth}.",
+    "Leva de anchura constante entre los dos lados de un marco ({follower}), dibujada a escala. La leva gira en sentido {sense}; su radio base es {base} y su anchura {breadth}.",
   "stage.alternative.translating": "Cuña de longitud {length} que va y viene bajo un {follower}, dibujada a escala.",
   "stage.alternative.pair": "Una segunda leva en el mismo eje, rayada, de radio base {base}, lleva el otro lado del seguidor.",
   "stage.pointer.travel": "x {x}  y {y} {unit} · a {place} {unit} de la leva",
@@ -15,12 +15,6 @@ export const stageEs = {
     "Las flechas izquierda y derecha giran la leva 1°; con Mayúsculas, 10°; con Alt, 0,1°. Inicio y Fin van a los extremos de la vuelta y la barra espaciadora anima o detiene. Más, menos y cero acercan, alejan y encuadran; Ctrl con las flechas desplaza el dibujo.",
   "stage.hint.wheel": "Ctrl + rueda acerca y aleja",
   "stage.hint.finger": "Primero toque el dibujo y luego arrastre",
-  "stage.follower.translating-roller": "seguidor de traslación con rodillo",
-  "stage.follower.translating-knife": "seguidor de traslación con cuchilla",
-  "stage.follower.translating-curved": "seguidor de traslación con cara curva",
-  "stage.follower.translating-flat": "seguidor de traslación con cara plana",
-  "stage.follower.oscillating-roller": "seguidor oscilante con rodillo",
-  "stage.follower.oscillating-flat": "seguidor oscilante con cara plana",
   "stage.counterclockwise": "antihorario",
   "stage.clockwise": "horario",
   "stage.layers": "Capas",

@@ -3,13 +3,14 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { CATALOGUE } from "../pkg/catalogue.js";
 import { createTranslate, firstLanguage, learn } from "./index.js";
 
 /** @typedef {Record<string, import("./index.js").Phrase>} Words */
 
 /** All the words of a language: `en.js` and every `<part>.en.js`. @param {string} language @returns {Promise<Words>} */
 async function wordsOf(language) {
-  const names = readdirSync(import.meta.dirname).filter((name) => name === `${language}.js` || name.endsWith(`.${language}.js`));
+  const names = readdirSync(import.meta.dirname).filter((name) => (name === `${language}.js` || name.endsWith(`.${language}.js`)) && name !== `page.${language}.js`);
   const parts = await Promise.all(names.map((name) => import(`./${name}`)));
   return Object.assign({}, ...parts.flatMap((part) => Object.values(part)));
 }
@@ -72,8 +73,22 @@ test("plurals agree in number", async () => {
   assert.equal(t("verdict.all", { count: 4 }), "4 observaciones");
 });
 
-test("a law newer than the strings goes by its id", () => {
-  assert.equal(createTranslate(() => "en")("law.triple-harmonic"), "triple harmonic");
+test("every law, follower and kind of cam has its name from the catalogue, and every parameter its words, in every language", async () => {
+  for (const language of /** @type {const} */ (["en", "es"])) {
+    await learn(language);
+    const t = createTranslate(() => language);
+    const { laws, followers, kinds } = CATALOGUE;
+    const keys = [
+      ...laws.flatMap(({ id, group }) => [`law.${id}`, `group.${group}`]),
+      ...followers.flatMap(({ id }) => [`follower.${id}`, `follower.noun.${id}`]),
+      ...kinds.map(({ id }) => `kind.${id}`),
+    ];
+    const parameters = [...laws, ...followers].flatMap((entry) => entry.parameters.map(({ key }) => key));
+    keys.push(...parameters.flatMap((key) => [`parameter.${key}`, `parameter.${key}.hint`]));
+    assert.deepEqual(keys.filter((key) => t(key) === key), [], language);
+    const names = keys.filter((key) => !key.startsWith("parameter."));
+    assert.deepEqual(names.filter((key) => key in english || key in spanish), [], "none is written a second time");
+  }
 });
 
 test("the language follows the browser at first", () => {

@@ -120,7 +120,7 @@ fn judge(file: &str, language: Language) -> Judged {
 /// What comes of the application, when there is one. It is no part of the verdict.
 fn application(study: &Study, language: Language) -> String {
     let Some((set, outcome)) = study.design().application.as_ref().zip(study.outcome()) else { return String::new() };
-    let head = levalab_words::application_title(language, set.application.id);
+    let head = levalab_words::application_title(language, set.application);
     let sentences = levalab_words::outcome(language, study.design(), &outcome);
     sentences.iter().fold(format!("{head}:\n"), |text, sentence| text + &format!("  {sentence}\n"))
 }

@@ -1,6 +1,7 @@
 //! The one kind of smooth curve that every motion law is made of: a polynomial plus sine waves.
 
 use crate::Svaj;
+use std::sync::Arc;
 
 /// Most coefficients a curve may have: degree 8, the highest of a spline.
 pub const MAX_COEFFICIENTS: usize = 9;
@@ -16,13 +17,12 @@ pub struct Wave {
     pub phase: f64,
 }
 
-/// y(x) = Σ cₖ·xᵏ + Σ A·sin(ωx + φ), with exact derivatives.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// y(x) = Σ cₖ·xᵏ + Σ A·sin(ωx + φ), with exact derivatives. A copy shares the waves of the original.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Curve {
     coefficients: [f64; MAX_COEFFICIENTS],
     terms: usize,
-    waves: [Wave; 2],
-    wave_count: usize,
+    waves: Arc<[Wave]>,
 }
 
 impl Curve {
@@ -34,12 +34,11 @@ impl Curve {
         curve
     }
 
-    /// The same curve with a wave added; two at most.
+    /// The same curve with a wave added to those it has.
     #[must_use]
-    pub fn with_wave(mut self, amplitude: f64, frequency: f64, phase: f64) -> Self {
-        self.waves[self.wave_count] = Wave { amplitude, frequency, phase };
-        self.wave_count += 1;
-        self
+    pub fn with_wave(self, amplitude: f64, frequency: f64, phase: f64) -> Self {
+        let added = Wave { amplitude, frequency, phase };
+        Self { waves: self.waves.iter().copied().chain([added]).collect(), ..self }
     }
 
     /// The coefficients of the polynomial part, constant term first.
@@ -51,7 +50,12 @@ impl Curve {
     /// The sine waves added to the polynomial.
     #[must_use]
     pub fn waves(&self) -> &[Wave] {
-        &self.waves[..self.wave_count]
+        &self.waves
+    }
+
+    /// The highest frequency of its waves, radians per unit of x; 0 without waves.
+    pub(crate) fn highest_frequency(&self) -> f64 {
+        self.waves.iter().map(|wave| wave.frequency.abs()).fold(0.0, f64::max)
     }
 
     /// y and its three derivatives with respect to x.
@@ -65,7 +69,7 @@ impl Curve {
     #[must_use]
     pub fn scaled(mut self, k: f64, c: f64) -> Self {
         self.coefficients.iter_mut().for_each(|term| *term *= k);
-        self.waves.iter_mut().for_each(|wave| wave.amplitude *= k);
+        Arc::make_mut(&mut self.waves).iter_mut().for_each(|wave| wave.amplitude *= k);
         self.coefficients[0] += c;
         self.terms = self.terms.max(1);
         self
@@ -118,9 +122,32 @@ mod tests {
     }
 
     #[test]
+    fn a_curve_has_as_many_waves_as_are_added() {
+        let wave = |n: u32| (1.0 / f64::from(n * n), f64::from(n), 0.1 * f64::from(n));
+        let add = |curve: Curve, n| {
+            let (amplitude, frequency, phase) = wave(n);
+            curve.with_wave(amplitude, frequency, phase)
+        };
+        let curve = (1..=7).fold(Curve::polynomial(&[0.5, 1.0]), add);
+        let x = 0.83;
+        let sum: f64 =
+            (1..=7).map(wave).map(|(amplitude, frequency, phase)| amplitude * (frequency * x + phase).sin()).sum();
+        assert_eq!(curve.waves().len(), 7);
+        assert!((curve.at(x).s - (0.5 + x + sum)).abs() < 1e-14);
+    }
+
+    #[test]
+    fn scaling_a_curve_leaves_a_copy_of_it_as_it_was() {
+        let curve = Curve::polynomial(&[0.0]).with_wave(1.0, 2.0, 0.0);
+        let copy = curve.clone();
+        let scaled = curve.scaled(2.0, 0.0);
+        assert_eq!((copy.waves()[0].amplitude, scaled.waves()[0].amplitude), (1.0, 2.0));
+    }
+
+    #[test]
     fn scaling_moves_the_value_and_stretches_the_derivatives() {
         let curve = Curve::polynomial(&[0.0, 0.0, 1.0]).with_wave(1.0, 2.0, 0.0);
-        let (plain, scaled) = (curve.at(0.6), curve.scaled(3.0, 5.0).at(0.6));
+        let (plain, scaled) = (curve.at(0.6), curve.clone().scaled(3.0, 5.0).at(0.6));
         assert!((scaled.s - (3.0 * plain.s + 5.0)).abs() < 1e-14);
         assert!((scaled.j - 3.0 * plain.j).abs() < 1e-14);
     }

@@ -81,30 +81,6 @@ impl Finding {
 }
 
 impl FindingKind {
-    /// Its name in reports, such as `pressure-angle`.
-    #[must_use]
-    pub fn code(self) -> &'static str {
-        match self {
-            Self::Jump(0) => "displacement-jump",
-            Self::Jump(1) => "velocity-jump",
-            Self::Jump(2) => "acceleration-jump",
-            Self::Jump(_) => "jerk-jump",
-            Self::PressureAngle => "pressure-angle",
-            Self::Cusp => "cusp",
-            Self::Undercut => "undercut",
-            Self::GrooveUndercut => "groove-undercut",
-            Self::ConcaveFlat => "concave-flat",
-            Self::Doubtful => "doubtful-curve",
-            Self::NotProved(_) => "not-proved",
-            Self::BelowBase => "below-base-circle",
-            Self::SelfCrossing => "self-crossing",
-            Self::ArmCutsCam => "arm-cuts-cam",
-            Self::PivotInsideCam => "pivot-inside-cam",
-            Self::FaceOvertaken => "face-overtaken",
-            Self::ContactPastPivot => "contact-past-pivot",
-        }
-    }
-
     /// True when the motion is to blame, whatever the geometry.
     #[must_use]
     pub fn is_of_the_motion(self) -> bool {

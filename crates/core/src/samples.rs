@@ -7,7 +7,8 @@ use std::ops::Range;
 /// Fewest steps in which a turn is looked at, so that a verdict does not hang on how many rows were asked for.
 pub(crate) const LEAST_STEPS: usize = 720;
 
-/// Fewest steps in which a stretch is looked at, however short: its extremes lie between neighbours of one bump.
+/// Fewest steps in which a stretch is looked at for each period of its fastest wave, however short it is: its extremes lie between
+/// neighbours of one bump.
 const LEAST_STEPS_OF_A_STRETCH: usize = 8;
 
 /// A station this close to a joint (radians) lies on it.
@@ -216,7 +217,8 @@ impl Samples {
             ((((stretch.to - snap) / step).ceil()) as usize).max(first)
         };
         let starts_on_grid = first < after && self.station(first) - stretch.from < snap;
-        let parts = if after - first < LEAST_STEPS_OF_A_STRETCH { LEAST_STEPS_OF_A_STRETCH } else { 1 };
+        let least = LEAST_STEPS_OF_A_STRETCH * stretch.periods();
+        let parts = if after - first < least { least } else { 1 };
         let mut places = stretch.places_and_steps(parts);
         // A place on a station is that station: rounding alone would tell them apart.
         places.retain(|&own| own == stretch.from || own == stretch.to || self.distance_to_station(own) > snap);

@@ -2,14 +2,20 @@
 
 use crate::search::root;
 use crate::{Form, Svaj};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// Places of a stretch at which a derivative is looked at for changes of its sign.
 const LOOKS: usize = 240;
 
-/// Parts between the places at which the size of a curve is taken: with a degree of 8 at most and waves of a period or less it cannot
-/// vanish at all of them, unless it is zero.
+/// Halvings of the step before an end at which a derivative is looked at too: one that leaves zero there may change its sign at once.
+const END_HALVINGS: i32 = 10;
+
+/// Parts, for each period of its fastest wave, between the places at which the size of a curve is taken: with a degree of 8 at most it
+/// cannot vanish at all of them, unless it is zero.
 const CURVE_PARTS: usize = 8;
+
+/// A wave longer than a period by less than this part of it has one period: the rest is rounding.
+const PERIOD_TOLERANCE: f64 = 1e-9;
 
 /// What is smaller beside the greatest value of a derivative is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -39,6 +45,14 @@ impl Stretch {
         Svaj::new(y.s, y.v * k, y.a * k2, y.j * (k2 * k))
     }
 
+    /// The number of periods of its fastest wave that it spans, rounded up; 1 for a curve without waves. As many times more places are
+    /// needed to see its extremes.
+    pub(crate) fn periods(&self) -> usize {
+        let Form::Curve(curve) = &self.curve else { return 1 };
+        let turned = curve.highest_frequency() * ((self.to - self.from) * self.per_beta).abs();
+        ((turned / TAU - PERIOD_TOLERANCE).ceil() as usize).max(1)
+    }
+
     /// The error of rounding of a derivative at the ends of the stretch: of heights of a size over so short a stretch, as a spline of many
     /// points has, or of the operations of a formula.
     pub(crate) fn rounding(&self, height: f64, order: usize) -> f64 {
@@ -60,7 +74,7 @@ impl Stretch {
         let parts = match &self.curve {
             Form::Formula(formula) => return std::array::from_fn(|order| in_theta(order, formula.range(order))),
             Form::Curve(_) if self.is_still() => 1,
-            Form::Curve(_) => CURVE_PARTS,
+            Form::Curve(_) => CURVE_PARTS * self.periods(),
             // Ehlich and Zeller (1964): a polynomial of degree n is nowhere larger than sec(π/4) times its largest value at these places.
             Form::Series(series) => (2 * series.degree()).max(1),
         };
@@ -125,7 +139,14 @@ impl Stretch {
     #[must_use]
     pub fn zeros(&self, order: usize) -> Vec<f64> {
         let at = |theta: f64| self.at(theta).order(order);
-        let along: Vec<(f64, f64)> = self.places_and_steps(LOOKS).into_iter().map(|theta| (theta, at(theta))).collect();
+        let looks = LOOKS.max(CURVE_PARTS * self.periods());
+        let mut places = self.places_and_steps(looks);
+        let step = (self.to - self.from) / looks as f64;
+        places.extend(
+            (1..=END_HALVINGS).flat_map(|k| [self.from + step * 0.5_f64.powi(k), self.to - step * 0.5_f64.powi(k)]),
+        );
+        places.sort_by(f64::total_cmp);
+        let along: Vec<(f64, f64)> = places.into_iter().map(|theta| (theta, at(theta))).collect();
         let floor = match &self.curve {
             // Beside a narrow feature, which is steep, all the others are small.
             Form::Formula(formula) => formula.rounding(order) * self.per_beta.powi(order as i32),
@@ -152,5 +173,22 @@ impl Stretch {
     #[must_use]
     pub fn formula(&self) -> (&Form, f64, f64) {
         (&self.curve, self.origin, self.beta)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Curve;
+
+    #[test]
+    fn a_derivative_that_turns_just_inside_an_end_is_found() {
+        // a = 3x(2w − x): it leaves zero at the start and is zero again at 2w, nearer than a step of the search.
+        for w in [1e-3, 1e-4] {
+            let curve = Curve::polynomial(&[0.0, 0.0, 0.0, w, -0.25]).into();
+            let stretch = Stretch { from: 0.0, to: 1.0, segment: 0, origin: 0.0, beta: 1.0, per_beta: 1.0, curve };
+            let zeros = stretch.zeros(2);
+            assert!(zeros.len() == 1 && (zeros[0] - 2.0 * w).abs() < 1e-9, "{w}: {zeros:?}");
+        }
     }
 }

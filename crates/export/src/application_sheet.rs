@@ -20,11 +20,11 @@ pub(crate) fn application(subject: &Subject, step: Step) -> Option<Vec<Row>> {
         Word::At => format!("{} ({place})", word.said(language)),
         _ => word.said(language).to_owned(),
     };
-    let title = levalab_words::application_title(language, set.application.id);
+    let title = levalab_words::application_title(language, set.application);
     let mut rows =
         vec![Row::head([title]), Row::gap(), Row::head([Word::Magnitude, Word::Value, Word::Unit].map(said))];
-    let magnitude = |id: &str, symbol: &str, value: f64, unit: &'static str| {
-        let name = format!("{} {symbol}", levalab_words::application_head(language, id));
+    let magnitude = |id: &'static str, symbol: &str, value: f64, unit: &'static str| {
+        let name = format!("{} {symbol}", levalab_words::part_head(language, id));
         Row::of([Cell::Text(name), value.into(), unit.into()])
     };
     let settings = set.application.parameters.iter().zip(set.values);
@@ -77,7 +77,7 @@ fn by_angle(subject: &Subject, set: &ApplicationDesign, analysis: &Analysis) -> 
     [head].into_iter().chain((0..rows).map(row)).collect()
 }
 
-fn head(subject: &Subject, id: &str, symbol: &str, magnitude: Magnitude) -> String {
-    let name = levalab_words::application_head(subject.language, id);
+fn head(subject: &Subject, id: &'static str, symbol: &str, magnitude: Magnitude) -> String {
+    let name = levalab_words::part_head(subject.language, id);
     format!("{name} {symbol} ({})", subject.design().length_unit.unit_of(magnitude))
 }

@@ -115,7 +115,7 @@ fn of_application(subject: &Subject, analysis: &Analysis, against_time: bool) ->
         Plot {
             diagram: if against_time { diagram.against_time(omega) } else { diagram },
             letter: output.symbol,
-            name: levalab_words::application_name(subject.language, output.id).to_owned(),
+            name: levalab_words::part_name(subject.language, output.id).to_owned(),
             unit: subject.design().length_unit.unit_of(output.magnitude).to_owned(),
             against: if against_time { ", t (s)" } else { "" },
             look: OUTPUT_LOOKS[k.min(1)],

@@ -5,9 +5,10 @@ use crate::decimal::Decimal;
 use crate::fields::{Field, Object};
 use crate::limits::DERIVATIVE;
 use crate::report::tidy;
-use crate::version::Version;
+use crate::version::max_table_points;
 use crate::write::number;
 use crate::{DataRefusal, DesignError, Measure, Path, SegmentDesign};
+use levalab_catalogue::Version;
 use levalab_core::law::{Condition, Data, DataKind, Law, MAX_ORDINATES, MAX_SPLINE_CONDITIONS};
 use levalab_core::{Expression, Quantity};
 use serde_json::Value;
@@ -55,7 +56,7 @@ pub(crate) fn read(segment: &Object, law: &Law, known: Version) -> Result<Data, 
             }
         }
         DataKind::Points => {
-            let each = field.items(known.max_table_points())?.map(|item| item.pair());
+            let each = field.items(max_table_points(known))?.map(|item| item.pair());
             Ok(Data::Points(each.collect::<Result<_, _>>()?))
         }
         DataKind::Ordinates => {

@@ -7,6 +7,15 @@ use levalab_core::{
     Closure, ContactKind, Cycle, FollowerKind, Generator, MAX_SIDES, Motion, Rotation, sharpest_base_radius,
 };
 
+/// Every kind has its row in the catalogue.
+const _: () = {
+    let mut k = 0;
+    while k < CamKind::WORDS.len() {
+        assert!(levalab_catalogue::is_a_kind(CamKind::WORDS[k]));
+        k += 1;
+    }
+};
+
 /// What a cam is, besides its base circle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum CamKind {

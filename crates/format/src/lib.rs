@@ -15,8 +15,8 @@
 //! # Ok::<(), levalab_format::DesignError>(())
 //! ```
 //!
-//! Both formats are versioned, and every version ever published keeps opening. Laws and followers are those that the core
-//! lists; the only thing to add here for a new one is its letter in the link ([`link::LAW_CODES`]).
+//! Both formats are versioned, and every version ever published keeps opening. Laws, followers and applications are those that
+//! the core lists, and their codes in a link are in `levalab-catalogue`: a new one needs nothing here.
 //!
 //! Not here: words for people, files on disk.
 
@@ -64,6 +64,7 @@ pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
 pub use error::{CamRefusal, DataRefusal, DesignError, JsonFault, Kind, Problem, ProgramRefusal};
 pub use examples::{EXAMPLES, FIRST_EXAMPLE, example};
 pub use kind::{BreadthGenerator, CamKind, unsuited};
+pub use levalab_catalogue::Version;
 pub use marks::{Mark, MarkKind, marks};
 pub use measure::Measure;
 pub use notation::Notation;
@@ -72,4 +73,3 @@ pub use path::{Path, PathPart, quoted};
 pub use study::{CamStudy, Study};
 pub use told::{ToldCure, ToldFinding, ToldVerdict};
 pub use units::{LengthUnit, MotionUnits, SpeedUnit};
-pub use version::Version;

@@ -5,12 +5,13 @@ use crate::data;
 use crate::design::motion_and_contact;
 use crate::fields::{Field, Object};
 use crate::limits::MAX_SEGMENTS;
-use crate::version::{Version, is_newer};
+use crate::version::{is_newer, of_follower, of_law};
 use crate::write::ROTATIONS;
 use crate::{
     BreadthGenerator, CamKind, CamRefusal, Conjugate, Design, DesignError, Kind, LengthUnit, Notation, Path, Problem,
     ProgramRefusal, SegmentDesign, Speed, SpeedUnit, json,
 };
+use levalab_catalogue::Version;
 use levalab_core::law::MAX_LAW_PARAMETERS;
 use levalab_core::{Cam, FOLLOWERS, FollowerKind, Generator, LAWS, Law, MAX_FOLLOWER_PARAMETERS, MAX_SIDES, Tie};
 use serde_json::Value;
@@ -209,7 +210,7 @@ fn read_follower(
     follower: &Object,
     known: Version,
 ) -> Result<(&'static FollowerKind, [f64; MAX_FOLLOWER_PARAMETERS]), DesignError> {
-    let followers = || FOLLOWERS.iter().copied().filter(|kind| known.has_follower(kind));
+    let followers = || FOLLOWERS.iter().copied().filter(|kind| of_follower(kind) <= known);
     let mut motions: Vec<&'static str> = followers().map(|kind| motion_and_contact(kind).0).collect();
     motions.dedup();
     let motion = motions[follower.word("motion", &motions)?];
@@ -232,7 +233,7 @@ fn read_segments(file: &Object, known: Version) -> Result<Vec<SegmentDesign>, De
 }
 
 fn read_segment(segment: &Object, known: Version) -> Result<SegmentDesign, DesignError> {
-    let laws: Vec<&'static Law> = LAWS.iter().copied().filter(|law| known.has_law(law)).collect();
+    let laws: Vec<&'static Law> = LAWS.iter().copied().filter(|law| of_law(law) <= known).collect();
     let ids: Vec<&'static str> = laws.iter().map(|law| law.id).collect();
     let law = laws[segment.word("law", &ids)?];
     let shared: Vec<&'static str> = ["law", "beta", "rise"].into_iter().chain(data::keys(law)).collect();

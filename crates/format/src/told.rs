@@ -2,6 +2,7 @@
 
 use crate::report::{DesignFinding, level_name};
 use crate::{DesignCure, Edit};
+use levalab_catalogue::finding_label;
 use levalab_core::Level;
 use serde::Serialize;
 
@@ -59,7 +60,7 @@ impl ToldFinding {
     pub fn new(finding: &DesignFinding, message: String) -> Self {
         Self {
             cam: None,
-            code: finding.kind.code(),
+            code: finding_label(finding.kind).id,
             severity: level_name(finding.level),
             theta: finding.theta,
             interval: finding.interval,

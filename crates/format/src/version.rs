@@ -1,63 +1,20 @@
-//! The versions of design file and link, and which of them a design needs: the only place where laws, followers and data that
-//! version 1 does not know are asked for.
+//! The version of file and link that a design needs: the rows of the catalogue say it of laws, followers, kinds and applications, this file of
+//! data.
 
 use crate::limits::{MAX_DESIGN_POINTS, MAX_TABLE_POINTS_OF_VERSION_1};
 use crate::{DataRefusal, Design, DesignError, Path, ProgramRefusal, SegmentDesign};
+use levalab_catalogue::{Version, application_label, follower_label, kind_label, law_label};
 use levalab_core::law::{Data, MAX_POINTS};
 use levalab_core::{FollowerKind, Law};
-
-/// A version of the design file and of the link. Both count alike: a link of a version holds what a file of that version holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Version {
-    /// Everything that was known in the first release.
-    One,
-    /// Tables of more than 128 points.
-    Two,
-}
 
 /// What the first field of a design file begins with, before the number of its version.
 const FORMAT: &str = "levalab/";
 
-impl Version {
-    /// The newest that is known here.
-    pub const LATEST: Self = Self::Two;
-
-    /// The versions that are read, in order.
-    pub const ALL: [Self; 2] = [Self::One, Self::Two];
-
-    /// The first field of a design file of this version.
-    #[must_use]
-    pub fn format(self) -> &'static str {
-        match self {
-            Self::One => "levalab/1",
-            Self::Two => "levalab/2",
-        }
-    }
-
-    /// The first field of a link of this version.
-    pub(crate) fn number(self) -> &'static str {
-        match self {
-            Self::One => "1",
-            Self::Two => "2",
-        }
-    }
-
-    /// The most points that a table may have in a design of this version.
-    pub(crate) fn max_table_points(self) -> usize {
-        match self {
-            Self::One => MAX_TABLE_POINTS_OF_VERSION_1,
-            Self::Two => MAX_POINTS,
-        }
-    }
-
-    /// True when a law is known in this version.
-    pub(crate) fn has_law(self, law: &Law) -> bool {
-        of_law(law) <= self
-    }
-
-    /// True when a follower is known in this version.
-    pub(crate) fn has_follower(self, kind: &FollowerKind) -> bool {
-        of_follower(kind) <= self
+/// The most points that a table may have in a design of a version.
+pub(crate) fn max_table_points(version: Version) -> usize {
+    match version {
+        Version::One => MAX_TABLE_POINTS_OF_VERSION_1,
+        Version::Two => MAX_POINTS,
     }
 }
 
@@ -74,12 +31,14 @@ impl Design {
     #[must_use]
     pub fn version(&self) -> Version {
         let of_segments = self.segments.iter().map(|segment| of_law(segment.law).max(of_data(&segment.data)));
-        of_segments.fold(of_follower(self.follower), Version::max)
+        let application = self.application.as_ref().and_then(|set| application_label(set.application));
+        let of_labels = [kind_label(self.kind.word()), application].into_iter().flatten().map(|label| label.since);
+        of_segments.chain(of_labels).fold(of_follower(self.follower), Version::max)
     }
 
     /// Refuses tables that are longer than those of a version.
     pub(crate) fn check_tables(&self, version: Version) -> Result<(), DesignError> {
-        let max = version.max_table_points();
+        let max = max_table_points(version);
         let long = |segment: &SegmentDesign| points_of(&segment.data) > max;
         let Some(k) = self.segments.iter().position(long) else { return Ok(()) };
         let found = points_of(&self.segments[k].data);
@@ -97,14 +56,14 @@ impl Design {
     }
 }
 
-/// The version from which a law is known. A law that is new in a version is named here.
-fn of_law(_law: &Law) -> Version {
-    Version::One
+/// The version from which a law is known.
+pub(crate) fn of_law(law: &Law) -> Version {
+    law_label(law).map_or(Version::LATEST, |label| label.since)
 }
 
-/// The version from which a follower is known. A follower that is new in a version is named here.
-fn of_follower(_kind: &FollowerKind) -> Version {
-    Version::One
+/// The version from which a follower is known.
+pub(crate) fn of_follower(kind: &FollowerKind) -> Version {
+    follower_label(kind).map_or(Version::LATEST, |label| label.since)
 }
 
 /// The version from which the data of a law can be held.
@@ -124,13 +83,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn versions_count_up_from_one() {
-        for (version, number) in Version::ALL.into_iter().zip(1..) {
-            assert_eq!(version.format(), format!("levalab/{number}"));
-            assert_eq!(version.number(), number.to_string());
+    fn one_segment_with_a_newer_law_asks_for_its_version() {
+        let mut design = crate::example("9RT").expect("9RT");
+        for &law in levalab_core::LAWS {
+            design.segments[2].law = law;
+            assert_eq!(Some(design.version()), law_label(law).map(|label| label.since), "{}", law.id);
         }
-        assert_eq!(Version::ALL.last(), Some(&Version::LATEST));
-        assert!(Version::ALL.is_sorted());
     }
 
     #[test]

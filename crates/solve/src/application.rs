@@ -8,12 +8,12 @@ use crate::substitute::{Values, substituted};
 use crate::substitution::Place;
 use levalab_core::application::{Magnitude, OutputLaw};
 use levalab_format::{ApplicationDesign, Outcome, OutputRange};
-use levalab_words::application_name;
+use levalab_words::{application_name, part_name};
 
 pub fn write(board: &mut Board, place: &Place) {
     let Some(set) = &board.design().application else { return };
     let outcome = set.outcome(board.design(), board.cam(), board.study.analysis());
-    let name = application_name(board.language, set.application.id);
+    let name = application_name(board.language, set.application);
     board.heading(1, two("What the follower drives: {name}", "Lo que mueve el seguidor: {name}"), &[("name", name)]);
     let known = parameters(board, set, &outcome);
     outputs(board, set, &outcome, known, place);
@@ -44,7 +44,7 @@ fn parameters(board: &mut Board, set: &ApplicationDesign, outcome: &Outcome) -> 
     let mut told = Vec::new();
     for (setting, value) in set.application.parameters.iter().zip(set.values) {
         let text = number::datum(value);
-        let name = application_name(board.language, setting.key);
+        let name = part_name(board.language, setting.key);
         told.push(format!("{name} ${} = {}$", letter(setting.symbol), measured(board, &text, setting.magnitude)));
         known.push((letter(setting.symbol), if setting.magnitude == Magnitude::Angle { text + "°" } else { text }));
     }
@@ -102,7 +102,7 @@ fn extremes(board: &mut Board, outcome: &Outcome) {
     let row = |found: &OutputRange| {
         let OutputRange { output, range, .. } = found;
         let value = |value: f64| cell(&measured(board, &number::height(value), output.magnitude));
-        let name = format!("{} ${}$", application_name(board.language, output.id), letter(output.symbol));
+        let name = format!("{} ${}$", part_name(board.language, output.id), letter(output.symbol));
         let places = [range.min_at, range.max_at].map(|at| cell(&placed(board, at)));
         let [least_at, most_at] = places;
         vec![line(&name), value(range.min), least_at, value(range.max), most_at]

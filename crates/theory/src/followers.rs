@@ -2,19 +2,19 @@
 
 use crate::html::Pen;
 use crate::pages::Assets;
-use crate::words::followers::{FollowerWords, follower};
 use crate::words::two;
+use levalab_catalogue::{FollowerRow, follower_row};
 use levalab_core::FollowerKind;
 
-/// Place, name and body; a follower without words has only its name, which a test does not let pass.
+/// Place, name and body.
 #[must_use]
 pub fn entry(pen: Pen, kind: &FollowerKind, assets: &Assets) -> (String, String, String) {
     let name = levalab_words::capital(levalab_words::follower(pen.language, kind));
-    let body = follower(kind.id).map(|words| body(pen, words, assets)).unwrap_or_default();
+    let body = follower_row(kind).map(|row| body(pen, row, assets)).unwrap_or_default();
     (kind.id.to_owned(), name, body)
 }
 
-fn body(pen: Pen, words: &FollowerWords, assets: &Assets) -> String {
+fn body(pen: Pen, words: &FollowerRow, assets: &Assets) -> String {
     let within = |words: super::words::Two| words.within(pen.language);
     let formulas = |formulas: &[&str]| formulas.iter().map(|formula| pen.displayed(formula)).collect::<String>();
     let part = |name: super::words::Two, body: String| format!("<h4>{}</h4>{body}", within(name));
@@ -27,6 +27,7 @@ fn body(pen: Pen, words: &FollowerWords, assets: &Assets) -> String {
         part(two("Radius of curvature", "Radio de curvatura"), formulas(words.radius)),
         part(two("Contact", "Contacto"), paragraph(words.contact)),
         part(two("What fails, and its cure", "Qué falla y cómo se remedia"), paragraph(words.fails)),
+        pen.source(words.source),
     ]
     .concat()
 }
@@ -76,7 +77,7 @@ mod tests {
         let motions =
             [Svaj::new(0.1, 0.05, -0.04, 0.0), Svaj::new(0.02, -0.06, 0.09, 0.0), Svaj::new(0.0, 0.0, 0.03, 0.0)];
         for kind in FOLLOWERS {
-            let words = follower(kind.id).expect(kind.id);
+            let words = follower_row(kind).expect(kind.id);
             for rotation in [Rotation::CounterClockwise, Rotation::Clockwise] {
                 for motion in motions {
                     let values = kind.parameters.iter().map(|parameter| match parameter.key {

@@ -4,7 +4,7 @@
 //! the page's own controls. Blank lines part paragraphs; lines that begin with `- ` are a list.
 
 use levalab_formula::{self as formula, escape, parse};
-use levalab_words::Language;
+use levalab_words::{Language, two};
 use std::collections::BTreeMap;
 
 /// Labels of the page's controls by key.
@@ -42,6 +42,17 @@ impl Pen<'_> {
             return format!("<ul>{}</ul>", items.collect::<String>());
         }
         format!("<p>{}</p>", self.line(text))
+    }
+
+    /// Where something is found in books, on a line of its own.
+    #[must_use]
+    pub fn source(self, source: Option<&str>) -> String {
+        let within = |en, es| two(en, es).within(self.language);
+        let told = match source {
+            Some(book) => format!("{}: <cite>{}</cite>.", within("In books", "En los libros"), escape(book)),
+            None => within("Own derivation.", "Deducción propia.").to_owned(),
+        };
+        format!("<p class=\"source\">{told}</p>")
     }
 
     /// A formula on a line of its own.

@@ -3,28 +3,27 @@
 use crate::figure;
 use crate::html::Pen;
 use crate::law_facts::LawFacts;
-use crate::words::laws::{LawWords, law};
 use crate::words::{Two, two};
+use levalab_catalogue::{LawRow, law_row};
 use levalab_core::{LAWS, Law};
 use levalab_formula::curve::{ORDERS, Written, written};
 use levalab_formula::escape;
 
-/// Place, name and body; a law without words has only its curve, which a test does not let pass.
+/// Place, name and body.
 #[must_use]
 pub fn entry(pen: Pen, law: &Law) -> (String, String, String) {
     (law.id.to_owned(), name(pen, law), body(pen, law))
 }
 
-/// Its name as in the menu of the page, or as in a sentence.
+/// Its name, as in the menu of the page.
 fn name(pen: Pen, law: &Law) -> String {
-    let known = pen.labels.get(&format!("law.{}", law.id));
-    known.cloned().unwrap_or_else(|| levalab_words::capital(levalab_words::law(pen.language, law)))
+    law_row(law).map_or(law.id, |row| row.name.menu.within(pen.language)).to_owned()
 }
 
 fn body(pen: Pen, entry: &Law) -> String {
-    let words = law(entry.id);
+    let words = law_row(entry);
     let study = LawFacts::of(entry);
-    let paragraph = |text: fn(&LawWords) -> Two| {
+    let paragraph = |text: fn(&LawRow) -> Two| {
         words.map(|words| pen.paragraphs(text(words).within(pen.language))).unwrap_or_default()
     };
     let general: String =
@@ -32,17 +31,9 @@ fn body(pen: Pen, entry: &Law) -> String {
     let own = study.as_ref().filter(|_| general.is_empty()).and_then(|study| written(&study.pieces));
     let formulas = own.map_or(general, |own| tables(pen, &own));
     let facts = study.as_ref().filter(|study| study.moves()).map(|study| facts(pen, study)).unwrap_or_default();
-    let source = words.map(|words| source(pen, words.source)).unwrap_or_default();
-    [paragraph(|words| words.idea), formulas, figure::of(pen, entry), facts, paragraph(|words| words.use_it), source]
+    let source = words.map(|words| pen.source(words.source)).unwrap_or_default();
+    [paragraph(|words| words.idea), formulas, figure::of(pen, entry), facts, paragraph(|words| words.advice), source]
         .concat()
-}
-
-fn source(pen: Pen, source: &str) -> String {
-    format!(
-        "<p class=\"source\">{}: <cite>{}</cite>.</p>",
-        two("In books", "En los libros").within(pen.language),
-        escape(source)
-    )
 }
 
 /// y and its derivatives, a table for each piece.

@@ -6,7 +6,8 @@ use crate::words::manual::SCREENS;
 use crate::words::terms::{GROUPS, Term};
 use crate::words::{Two, two};
 use crate::{followers, laws, licences, notations, terms};
-use levalab_core::{FOLLOWERS, LAWS, Law};
+use levalab_catalogue::{APPLICATIONS, FINDINGS, Name};
+use levalab_core::{FOLLOWERS, LAWS};
 use levalab_words::Language;
 use std::collections::BTreeMap;
 
@@ -108,6 +109,15 @@ fn theory(pen: Pen, assets: &Assets) -> Body {
     let entries = FOLLOWERS.iter().map(|kind| followers::entry(pen, kind, assets)).collect();
     chapter(two("Followers", "Seguidores"), entries, String::new(), "followers");
     chapter(two("Other kinds of cam", "Otras clases de leva"), told(KINDS), String::new(), "kinds");
+    let entry = |what: &str, id: &str, name: &Name, idea: Two, source: Option<&str>| {
+        let body = pen.paragraphs(idea.within(language)) + &pen.source(source);
+        (format!("{what}-{id}"), name.menu.within(language).to_owned(), body)
+    };
+    let entries =
+        APPLICATIONS.iter().map(|row| entry("application", row.id, &row.name, row.idea, row.source)).collect();
+    chapter(two("Applications", "Aplicaciones"), entries, String::new(), "applications");
+    let entries = FINDINGS.iter().map(|row| entry("finding", row.id, &row.name, row.idea, row.source)).collect();
+    chapter(two("What a verdict finds", "Lo que observa un veredicto"), entries, String::new(), "findings");
     Body { places, html }
 }
 
@@ -121,11 +131,9 @@ fn tell(pen: Pen, concept: &Concept, assets: &Assets) -> (String, String, String
 fn glossary(pen: Pen, assets: &Assets) -> Body {
     let mut places = Vec::new();
     let mut html = format!("<p class=\"lead\">{}</p>", pen.line(ABOUT_TERMS.within(pen.language)));
-    // What belongs to a law is told where there is that law.
-    let stands = |term: &&Term| crate::words::laws::law(term.theory).is_none() || Law::by_id(term.theory).is_some();
     for group in GROUPS {
         let name = group.name.within(pen.language);
-        let terms: Vec<&Term> = group.terms.iter().filter(stands).collect();
+        let terms: Vec<&Term> = group.terms.iter().collect();
         let entries = terms.iter().map(|term| (term.id.to_owned(), term.name.within(pen.language).to_owned()));
         places.push((name.to_owned(), entries.collect()));
         let entries: String = terms.into_iter().map(|term| terms::entry(pen, term, assets)).collect();

@@ -6,7 +6,7 @@ use levalab_core::application::{APPLICATIONS, Magnitude};
 use levalab_edge::{language, object};
 use levalab_format::report::Range;
 use levalab_format::{ApplicationDesign, LengthUnit, Outcome, Study};
-use levalab_words::{Language, application_head, application_name, application_title};
+use levalab_words::{Language, application_title, part_head, part_name};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use wasm_bindgen::prelude::*;
@@ -83,11 +83,11 @@ pub fn applications(
     let named = |id: &'static str, symbol: &'static str, magnitude: Magnitude, value: Option<f64>| {
         let angle = magnitude == Magnitude::Angle;
         let value = value.map(|value| if angle { value.to_degrees() } else { value });
-        Named { id, symbol, name: application_head(language, id), unit: unit.unit_of(magnitude), value }
+        Named { id, symbol, name: part_head(language, id), unit: unit.unit_of(magnitude), value }
     };
     let entry = |application: &&levalab_core::application::Application| Entry {
         id: application.id,
-        title: application_title(language, application.id),
+        title: application_title(language, application),
         parameters: application.parameters.iter().map(|p| named(p.key, p.symbol, p.magnitude, p.default)).collect(),
         outputs: application.outputs.iter().map(|o| named(o.id, o.symbol, o.magnitude, None)).collect(),
     };
@@ -174,7 +174,7 @@ impl Driven {
 
     fn told(&self, language: Language) -> Report {
         let unit = |magnitude: Magnitude| self.study.design().length_unit.unit_of(magnitude);
-        let name = |id: &'static str| application_name(language, id).to_owned();
+        let name = |id: &'static str| part_name(language, id).to_owned();
         let outputs = self.outcome.outputs.iter().map(|found| OutputReport {
             id: found.output.id,
             symbol: found.output.symbol,
@@ -187,7 +187,7 @@ impl Driven {
         let figures = self.outcome.figures.iter().map(|(figure, value)| Named {
             id: figure.id,
             symbol: figure.symbol,
-            name: application_head(language, figure.id),
+            name: part_head(language, figure.id),
             unit: unit(figure.magnitude),
             value: Some(*value),
         });

@@ -1,48 +1,33 @@
 //! What is said of an application. Apart from the voices, so that a page without one does not carry it.
 
-use crate::{Language, Units, capital, two};
-use levalab_core::application::Magnitude;
+use crate::{Language, Units, capital};
+use levalab_catalogue::application_label;
+use levalab_core::application::{Application, Magnitude};
 use levalab_format::{ApplicationDesign, Design, Outcome, OutputRange, Target};
 use levalab_numbers::write;
 
-/// The name of an application, of one of its outputs, parameters or figures, as within a sentence: `piston pump`, `flow`, `piston radius`.
+/// The name of an application within a sentence: `piston pump`.
 #[must_use]
-pub fn application_name(language: Language, id: &str) -> &str {
-    let (en, es) = match id {
-        "force" => ("force", "fuerza"),
-        "piston-force" => ("force of a piston on enclosed fluid", "fuerza de un pistón sobre fluido encerrado"),
-        "pump" => ("piston pump", "bomba de pistón"),
-        "valve" => ("poppet valve", "válvula de asiento"),
-        "pressure" => ("pressure", "presión"),
-        "volume" => ("swept volume", "volumen barrido"),
-        "flow" => ("flow", "caudal"),
-        "area" => ("curtain area", "área de la cortina"),
-        "stiffness" => ("stiffness", "rigidez"),
-        "pressure_per_volume" => ("pressure per volume", "presión por volumen"),
-        "piston_radius" => ("piston radius", "radio del pistón"),
-        "piston_area" => ("piston area", "área del pistón"),
-        "seat_diameter" => ("inner diameter of the seat", "diámetro interior del asiento"),
-        "seat_angle" => ("seat angle", "ángulo del asiento"),
-        _ => return id,
-    };
-    two(en, es).within(language)
+pub fn application_name(language: Language, application: &Application) -> &'static str {
+    application_label(application).map_or(application.id, |label| label.noun.within(language))
 }
 
-/// The name of an application where it stands alone, in a menu: a force needs to say in proportion to what.
+/// The name of an application at the head of a line: `Piston pump`.
 #[must_use]
-pub fn application_title(language: Language, id: &str) -> String {
-    let name = match (id, language) {
-        ("force", Language::En) => "force in proportion to the displacement",
-        ("force", Language::Es) => "fuerza proporcional al desplazamiento",
-        _ => application_name(language, id),
-    };
-    capital(name)
+pub fn application_title(language: Language, application: &Application) -> String {
+    capital(application_name(language, application))
+}
+
+/// The name of an output, a parameter or a figure of an application, as within a sentence: `flow`, `piston radius`.
+#[must_use]
+pub fn part_name(language: Language, id: &'static str) -> &'static str {
+    levalab_catalogue::part_name(id).map_or(id, |name| name.within(language))
 }
 
 /// The same with a capital, as at the head of a line.
 #[must_use]
-pub fn application_head(language: Language, id: &str) -> String {
-    capital(application_name(language, id))
+pub fn part_head(language: Language, id: &'static str) -> String {
+    capital(part_name(language, id))
 }
 
 /// What comes of an application, a sentence each: extremes, what a turn delivers, every target with its error.
@@ -67,7 +52,7 @@ impl Sentences<'_> {
         let told = |value: f64| self.measured(&self.fine(value), output.magnitude);
         let [least, most] = [told(range.min), told(range.max)];
         let [least_at, most_at] = [self.place(range.min_at), self.place(range.max_at)];
-        let head = application_head(self.language, output.id);
+        let head = part_head(self.language, output.id);
         match self.language {
             Language::En => format!("{head} from {least} at {least_at} to {most} at {most_at}."),
             Language::Es => format!("{head} de {least} en {least_at} a {most} en {most_at}."),
@@ -93,7 +78,7 @@ impl Sentences<'_> {
         let found = self.measured(&self.fine(found), output.magnitude);
         let place = self.place_exact(theta);
         let seconds = format!("{}\u{a0}s", language.number(time));
-        let name = application_name(language, output.id);
+        let name = part_name(language, output.id);
         match language {
             Language::En => {
                 format!("At {place} ({seconds}) the {name} is {found}, to be {}: error {}.", exact(value), close(error))
@@ -132,21 +117,7 @@ impl Sentences<'_> {
 mod tests {
     use super::*;
     use levalab_core::Analysis;
-    use levalab_core::application::APPLICATIONS;
     use levalab_format::example;
-
-    #[test]
-    fn everything_of_an_application_has_a_name_in_every_language() {
-        for application in APPLICATIONS {
-            let outputs = application.outputs.iter().map(|output| output.id);
-            let settings = application.parameters.iter().map(|setting| setting.key);
-            let figures = application.figures.iter().map(|figure| figure.id);
-            for id in [application.id].into_iter().chain(outputs).chain(settings).chain(figures) {
-                let [en, es] = Language::ALL.map(|language| application_name(language, id));
-                assert!(en != es && !en.contains(['_', '-']) && !es.contains(['_', '-']), "{id}: {en}, {es}");
-            }
-        }
-    }
 
     #[test]
     fn the_gait_simulator_in_words() {

@@ -26,130 +26,63 @@ mod measured;
 mod notation;
 mod number_problem;
 mod pair;
-mod two;
 mod units;
 mod voice;
 
-pub use application::{application_head, application_name, application_title, outcome};
+pub use application::{application_name, application_title, outcome, part_head, part_name};
+pub use levalab_catalogue::{Language, Two, capital, two};
 pub use measured::{measured_note, measured_problem};
 pub use notation::{SIGNS, Signs};
 pub use number_problem::number_problem;
 pub use pair::no_second;
-pub use two::{Two, capital, two};
 pub use voice::FileProblem;
 
 pub use join::choices as join_choices;
 
+use levalab_catalogue::{follower_label, kind_label, law_label};
 use levalab_core::{FindingKind, FollowerKind, Law, Level};
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Design, DesignError, Remedy};
-use levalab_numbers::write::{self, DecimalSign};
 use units::Units;
 use voice::Voice;
 
-/// A language that LevaLab speaks.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Language {
-    /// English.
-    #[default]
-    En,
-    /// Spanish.
-    Es,
-}
-
-impl Language {
-    /// Every language.
-    pub const ALL: [Self; 2] = [Self::En, Self::Es];
-
-    /// Its tag, such as `en`.
-    #[must_use]
-    pub fn tag(self) -> &'static str {
-        match self {
-            Self::En => "en",
-            Self::Es => "es",
-        }
-    }
-
-    /// The language of a tag.
-    #[must_use]
-    pub fn from_tag(tag: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|language| language.tag() == tag)
-    }
-
-    /// A measured quantity with four significant digits, whole digits kept: `−1.25`, `12 345`, `4.3·10⁻⁶`.
-    #[must_use]
-    pub fn number(self, value: f64) -> String {
-        write::measured(value, self.decimal_sign())
-    }
-
-    /// A number with all the digits that it was typed with.
-    #[must_use]
-    pub fn exact(self, value: f64) -> String {
-        write::exact(value, self.decimal_sign())
-    }
-
-    /// An angle in degrees with one decimal at most: `33.2°`.
-    #[must_use]
-    pub fn angle(self, degrees: f64) -> String {
-        write::rounded(degrees, 1, self.decimal_sign()) + "°"
-    }
-
-    /// A ratio with two decimals at most: `1.19`.
-    fn ratio(self, value: f64) -> String {
-        write::rounded(value, 2, self.decimal_sign())
-    }
-
-    /// An angle in degrees with four significant digits at most: `86.25°`.
-    fn angle_exact(self, degrees: f64) -> String {
-        self.number(degrees) + "°"
-    }
-
-    /// The decimal sign: a point in English, a comma in Spanish.
-    #[must_use]
-    pub fn decimal_sign(self) -> DecimalSign {
-        match self {
-            Self::En => DecimalSign::Point,
-            Self::Es => DecimalSign::Comma,
-        }
-    }
-
-    fn voice(self) -> &'static dyn Voice {
-        match self {
-            Self::En => &en::English,
-            Self::Es => &es::Spanish,
-        }
+/// What a language says.
+fn voice(language: Language) -> &'static dyn Voice {
+    match language {
+        Language::En => &en::English,
+        Language::Es => &es::Spanish,
     }
 }
 
 /// The name of a law, as it is said before or after the word *law*: `cycloidal`.
 #[must_use]
 pub fn law(language: Language, law: &Law) -> &'static str {
-    language.voice().law(law.id).unwrap_or(law.id)
+    law_label(law).map_or(law.id, |label| label.noun.within(language))
 }
 
 /// The name of a law where it stands alone, as in the cell of a table: `dwell`.
 #[must_use]
 pub fn law_alone(language: Language, law: &Law) -> &'static str {
-    language.voice().law_alone(law.id).unwrap_or(law.id)
+    law_label(law).map_or(law.id, |label| label.alone.within(language))
 }
 
 /// The name of a follower, as within a sentence: `oscillating roller follower`.
 #[must_use]
 pub fn follower(language: Language, kind: &FollowerKind) -> &'static str {
-    language.voice().follower(kind.id).unwrap_or(kind.id)
+    follower_label(kind).map_or(kind.id, |label| label.noun.within(language))
 }
 
 /// The name of a kind of cam from its word in design files: `cam of constant breadth`.
 #[must_use]
 pub fn cam_kind(language: Language, word: &'static str) -> &'static str {
-    language.voice().cam_kind(word).unwrap_or(word)
+    kind_label(word).map_or(word, |label| label.noun.within(language))
 }
 
 /// What the second cam of a conjugate pair is called, at the head of a line.
 #[must_use]
 pub fn second_cam(language: Language) -> &'static str {
-    language.voice().second_cam()
+    voice(language).second_cam()
 }
 
 /// Something said of the second cam of a pair in one line: its own beginning goes on in the sentence, without its capital.
@@ -173,26 +106,26 @@ pub fn profiles_coincide(language: Language) -> &'static str {
 /// The verdict in a word or two, as in a table.
 #[must_use]
 pub fn level(language: Language, level: Level) -> &'static str {
-    language.voice().level(level)
+    voice(language).level(level)
 }
 
 /// The verdict in one sentence.
 #[must_use]
 pub fn headline(language: Language, report: &Report) -> String {
-    language.voice().headline(report)
+    voice(language).headline(report)
 }
 
 /// What a finding is, where, how much, and the limit.
 #[must_use]
 pub fn finding(language: Language, design: &Design, finding: &DesignFinding) -> String {
-    Signs::of(design.notation).say(&language.voice().finding(finding, Units::of(design)))
+    Signs::of(design.notation).say(&voice(language).finding(finding, Units::of(design)))
 }
 
 /// The same with derivatives with respect to time, if the sentence has one.
 #[must_use]
 pub fn finding_by_time(language: Language, design: &Design, finding: &DesignFinding) -> Option<String> {
     let has_derivative = matches!(finding.kind, FindingKind::Jump(order) if order > 0);
-    let said = || language.voice().finding(finding, Units::by_time(design));
+    let said = || voice(language).finding(finding, Units::by_time(design));
     has_derivative.then(|| Signs::of(design.notation).say(&said()))
 }
 
@@ -205,14 +138,14 @@ pub fn cure(language: Language, design: &Design, finding: &DesignFinding, remedy
         }
         _ => None,
     };
-    let said = language.voice().cure(finding, shown.as_ref().unwrap_or(remedy), Units::of(design));
+    let said = voice(language).cure(finding, shown.as_ref().unwrap_or(remedy), Units::of(design));
     Signs::of(design.notation).say(&said)
 }
 
 /// What is wrong with a design. The place is not told: it is in [`DesignError::path`].
 #[must_use]
 pub fn design_error(language: Language, error: &DesignError) -> String {
-    language.voice().problem(&error.problem)
+    voice(language).problem(&error.problem)
 }
 
 /// Why a link does not open.
@@ -220,26 +153,26 @@ pub fn design_error(language: Language, error: &DesignError) -> String {
 pub fn link_error(language: Language, error: &LinkError) -> String {
     match error {
         LinkError::Design(error) => format!("{}: {}", error.path, design_error(language, error)),
-        _ => language.voice().link(error),
+        _ => voice(language).link(error),
     }
 }
 
 /// The sentence about a link that came as the query of an address: unlike a fragment, a query is sent to the server.
 #[must_use]
 pub fn link_from_query(language: Language) -> &'static str {
-    language.voice().link_from_query()
+    voice(language).link_from_query()
 }
 
 /// Why a design has no link.
 #[must_use]
 pub fn too_long(language: Language, refusal: TooLong) -> String {
-    language.voice().too_long(refusal)
+    voice(language).too_long(refusal)
 }
 
 /// Why a file cannot be used.
 #[must_use]
 pub fn file(language: Language, problem: FileProblem) -> &'static str {
-    language.voice().file(problem)
+    voice(language).file(problem)
 }
 
 #[cfg(test)]

@@ -2,12 +2,12 @@
 
 use super::*;
 use levalab_core::{
-    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FOLLOWERS, FindingKind, Instead, LAWS, Level,
-    Misfit, RoughnessCause,
+    Analysis, Closure, Column, ExpressionFault, ExpressionProblem, FindingKind, Instead, LAWS, Level, Misfit,
+    RoughnessCause,
 };
 use levalab_format::measured::{Curve, MeasuredProblem};
 use levalab_format::{
-    CamKind, CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Price, Problem, ProgramRefusal, cures, example,
+    CamRefusal, DataRefusal, JsonFault, Kind, Measure, Path, Price, Problem, ProgramRefusal, cures, example,
 };
 
 fn report(name: &str) -> (Design, Report) {
@@ -169,21 +169,6 @@ fn check(language: Language, sentence: &str) {
 }
 
 #[test]
-fn every_law_and_follower_has_a_name_in_every_language() {
-    for language in Language::ALL {
-        for entry in LAWS {
-            assert!(language.voice().law(entry.id).is_some(), "{} {}", language.tag(), entry.id);
-        }
-        for kind in FOLLOWERS {
-            assert!(language.voice().follower(kind.id).is_some(), "{} {}", language.tag(), kind.id);
-        }
-        for word in CamKind::WORDS {
-            assert!(language.voice().cam_kind(word).is_some(), "{} {word}", language.tag());
-        }
-    }
-}
-
-#[test]
 fn sentences_are_one_line_each() {
     let designs = [example("9RT").expect("9RT"), example("2RO").expect("2RO")];
     for language in Language::ALL {
@@ -320,33 +305,6 @@ fn numbers_agree_with_their_nouns() {
     let (_, mut report) = report("9RT");
     report.findings[0].places.truncate(1);
     assert_eq!(headline(Language::En, &report), "Not for high speeds: the jerk jumps at one joint.");
-}
-
-#[test]
-fn a_law_stands_alone_without_the_word_that_leads_to_it() {
-    for law in LAWS {
-        let alone = law_alone(Language::Es, law);
-        assert!(!alone.starts_with("de ") && !alone.starts_with("por "), "{alone}");
-        assert_eq!(law_alone(Language::En, law), super::law(Language::En, law));
-    }
-    let alone: Vec<_> = LAWS.iter().take(2).map(|law| law_alone(Language::Es, law)).collect();
-    assert_eq!(alone, ["detenimiento", "velocidad constante"]);
-}
-
-/// The names in the page's menu are the names in its sentences, with a capital.
-#[test]
-fn a_law_has_one_name_on_every_screen() {
-    let page = [
-        (Language::En, include_str!("../../../web/strings/en.js")),
-        (Language::Es, include_str!("../../../web/strings/es.js")),
-    ];
-    for (language, strings) in page {
-        for law in LAWS {
-            let head = format!("\"law.{}\": \"", law.id);
-            let shown = strings.split(&head).nth(1).and_then(|rest| rest.split('"').next());
-            assert_eq!(shown, Some(capital(law_alone(language, law)).as_str()), "{}", law.id);
-        }
-    }
 }
 
 #[test]

@@ -23,13 +23,6 @@ pub enum FileProblem {
 
 /// A language. Sentences begin with a capital and end with a full stop; names are as within a sentence.
 pub(crate) trait Voice {
-    fn law(&self, id: &str) -> Option<&'static str>;
-    /// Its name where no *law* goes before it, as in the cell of a table.
-    fn law_alone(&self, id: &str) -> Option<&'static str> {
-        self.law(id)
-    }
-    fn follower(&self, id: &str) -> Option<&'static str>;
-    fn cam_kind(&self, word: &str) -> Option<&'static str>;
     fn second_cam(&self) -> &'static str;
     fn level(&self, level: Level) -> &'static str;
     fn headline(&self, report: &Report) -> String;

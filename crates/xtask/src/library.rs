@@ -1,6 +1,7 @@
-//! Lists as scripts of the page: what its forms are built from, and the examples library (designs from `examples/`, words from
-//! `crates/words/examples.json`).
+//! Lists as scripts of the page: what its forms are built from, the names of laws, followers and kinds of cam, and the examples
+//! library (designs from `examples/`, words from `crates/words/examples.json`).
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -15,14 +16,22 @@ use crate::{
 /// What to look at in each, in every language.
 const NOTES: &str = "crates/words/examples.json";
 
-/// Writes `catalogue.js` and `examples.js` into the folder of generated files, when they have changed.
+/// Writes `catalogue.js`, `names.en.js`, `names.es.js` and `examples.js` into the folder of generated files, when they have changed.
 pub fn write(folder: &Path) -> Result<()> {
     let examples = serde_json::to_string(&library()?)?;
     let examples =
         format!("/** Made from examples/: change the files there. */\nexport const EXAMPLES = {examples};\n");
     write_script(&folder.join("examples.js"), &examples)?;
     let mut lists = cargo(["run", "--quiet", "--package", "levalab-format", "--example", "catalogue"]);
-    let lists = process::printed(&mut lists)?;
+    let printed = process::printed(&mut lists)?;
+    let (lists, names) = printed.split_once('\n').context("the catalogue is two lines")?;
+    let names: BTreeMap<&str, BTreeMap<&str, &str>> = serde_json::from_str(names).context("the names")?;
+    for (language, names) in names {
+        let names = serde_json::to_string(&names)?;
+        let of = "@type {Record<string, string>}";
+        let names = format!("/** Made from crates/catalogue. {of} */\nexport const names = {names};\n");
+        write_script(&folder.join(format!("names.{language}.js")), &names)?;
+    }
     let of = "@type {import(\"../types.d.ts\").Catalogue}";
     let lists = format!(
         "/** Made from the lists of crates/core and crates/format. {of} */\nexport const CATALOGUE = {lists};\n"

@@ -17,6 +17,7 @@ mod data;
 mod double_harmonic;
 mod dwell;
 mod formula;
+mod freudenstein_1_3_5;
 mod half_cycloidal_end;
 mod half_cycloidal_start;
 mod half_harmonic_end;
@@ -67,6 +68,7 @@ pub const LAWS: &[&Law] = &[
     &simple_harmonic::LAW,
     &double_harmonic::LAW,
     &cycloidal::LAW,
+    &freudenstein_1_3_5::LAW,
     &polynomial_3_4_5::LAW,
     &polynomial_4_5_6_7::LAW,
     &modified_trapezoidal::LAW,

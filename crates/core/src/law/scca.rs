@@ -60,7 +60,7 @@ pub(super) fn sine_constant_cosine(b: f64, c: f64) -> Vec<Piece> {
         }
         let start = shape.at(from);
         let line = slope - start.v;
-        let curve = add_line(shape, height - start.s - line * from, line);
+        let curve = add_line(&shape, height - start.s - line * from, line);
         let end = curve.at(until);
         (from, height, slope) = (until, end.s, end.v);
         match joined.last_mut() {
@@ -85,7 +85,7 @@ fn sine(span: f64, from: f64) -> Curve {
     }
 }
 
-fn add_line(shape: Curve, constant: f64, slope: f64) -> Curve {
+fn add_line(shape: &Curve, constant: f64, slope: f64) -> Curve {
     let mut coefficients = [0.0; 3];
     coefficients[..shape.coefficients().len()].copy_from_slice(shape.coefficients());
     coefficients[0] += constant;

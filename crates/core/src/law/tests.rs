@@ -72,6 +72,7 @@ fn peak_factors_are_those_of_the_handbooks() {
         ("simple-harmonic", &[FRAC_PI_2, 4.9348, 15.503]),
         ("double-harmonic", &[2.0405, 9.8696, 42.41]),
         ("cycloidal", &[2.0, TAU, 39.478]),
+        ("freudenstein-1-3-5", &[2.0, 5.0603, 59.615]),
         ("polynomial-3-4-5", &[1.875, 5.7735, 60.0]),
         ("polynomial-4-5-6-7", &[2.1875, 7.5132, 52.5]),
         ("modified-trapezoidal", &[2.0, 4.8881, 61.43]),

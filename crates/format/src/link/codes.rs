@@ -1,52 +1,10 @@
-//! The letters that stand for laws, followers and units in a link. Once published, a letter is never given to another.
+//! The letters of a link: those of laws, followers and applications are in the catalogue, those of units, notations and ties are here.
+//! Once published, a letter is never given to another.
 
 use crate::{LengthUnit, Notation, SpeedUnit};
-use levalab_core::application::Application;
+use levalab_catalogue::{Label, application_label, follower_label, law_label};
+use levalab_core::application::{APPLICATIONS, Application};
 use levalab_core::{FOLLOWERS, FollowerKind, LAWS, Law, Tie};
-
-/// Law and code: a capital, and small letters where several laws are of one family.
-pub const LAW_CODES: &[(&str, &str)] = &[
-    ("dwell", "D"),
-    ("constant-velocity", "V"),
-    ("parabolic", "P"),
-    ("parabolic-blend", "Pb"),
-    ("cubic-1", "K"),
-    ("cubic-2", "Kb"),
-    ("simple-harmonic", "H"),
-    ("double-harmonic", "Hd"),
-    ("half-harmonic-start", "Ha"),
-    ("half-harmonic-end", "Hb"),
-    ("cycloidal", "C"),
-    ("half-cycloidal-start", "Ca"),
-    ("half-cycloidal-end", "Cb"),
-    ("polynomial-3-4-5", "Q"),
-    ("polynomial-5", "Qm"),
-    ("polynomial", "N"),
-    ("bspline", "B"),
-    ("bezier", "Z"),
-    ("table", "L"),
-    ("formula", "F"),
-    ("polynomial-4-5-6-7", "S"),
-    ("polynomial-7", "Sm"),
-    ("modified-trapezoidal", "T"),
-    ("modified-sine", "M"),
-    ("scca", "X"),
-    ("skewed-scca", "Xs"),
-    ("asymmetric-3-4-5", "Qa"),
-];
-
-/// Follower and code: a capital, as for laws.
-pub const FOLLOWER_CODES: &[(&str, &str)] = &[
-    ("translating-roller", "R"),
-    ("translating-knife", "K"),
-    ("translating-curved", "C"),
-    ("translating-flat", "F"),
-    ("oscillating-roller", "A"),
-    ("oscillating-flat", "O"),
-];
-
-/// Application and code: a small letter.
-pub const APPLICATION_CODES: &[(&str, &str)] = &[("force", "k"), ("piston-force", "p"), ("pump", "u"), ("valve", "v")];
 
 const LENGTH_UNIT_CODES: [(LengthUnit, &str); 3] =
     [(LengthUnit::Centimetre, "c"), (LengthUnit::Metre, "m"), (LengthUnit::Inch, "i")];
@@ -55,15 +13,15 @@ const SPEED_UNIT_CODES: [(SpeedUnit, &str); 2] =
     [(SpeedUnit::RevolutionsPerMinute, "m"), (SpeedUnit::RevolutionsPerSecond, "s")];
 
 pub(super) fn of_law(law: &Law) -> &'static str {
-    code_of(LAW_CODES, law.id)
+    code_of(law_label(law))
 }
 
 pub(super) fn of_follower(kind: &FollowerKind) -> &'static str {
-    code_of(FOLLOWER_CODES, kind.id)
+    code_of(follower_label(kind))
 }
 
 pub(super) fn of_application(application: &Application) -> &'static str {
-    code_of(APPLICATION_CODES, application.id)
+    code_of(application_label(application))
 }
 
 /// Empty for millimetres.
@@ -120,8 +78,7 @@ pub(super) fn follower(code: &str) -> Option<&'static FollowerKind> {
 }
 
 pub(super) fn application(letter: char) -> Option<&'static Application> {
-    let entry = APPLICATION_CODES.iter().find(|entry| entry.1.starts_with(letter))?;
-    Application::by_id(entry.0)
+    APPLICATIONS.iter().copied().find(|application| of_application(application).starts_with(letter))
 }
 
 pub(super) fn length_unit(code: char) -> Option<LengthUnit> {
@@ -132,46 +89,50 @@ pub(super) fn speed_unit(code: char) -> Option<SpeedUnit> {
     SPEED_UNIT_CODES.iter().find(|entry| entry.1.starts_with(code)).map(|entry| entry.0)
 }
 
-/// No code makes a link that does not open, which the test below rules out.
-fn code_of(table: &[(&str, &'static str)], id: &str) -> &'static str {
-    table.iter().find(|entry| entry.0 == id).map_or("", |entry| entry.1)
+/// The catalogue has a row, with a code, for everything that a design may hold; without a code the link would not open.
+fn code_of(label: Option<&'static Label>) -> &'static str {
+    label.map_or("", |label| label.link)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use levalab_core::application::APPLICATIONS;
+    use crate::{BreadthGenerator, CamKind, example, link};
+    use levalab_catalogue::{Version, kind_label};
 
-    fn check(table: &[(&str, &str)], ids: &[&str]) {
-        for id in ids {
-            assert_eq!(table.iter().filter(|entry| entry.0 == *id).count(), 1, "{id} has one code");
+    #[test]
+    fn a_code_leads_back_to_what_it_stands_for() {
+        for &entry in LAWS {
+            assert_eq!(law(of_law(entry)), Some(entry));
         }
-        for (i, (id, code)) in table.iter().enumerate() {
-            assert!(ids.contains(id), "{id} is no more");
-            assert!(table[..i].iter().all(|other| other.1 != *code), "{code} stands for one thing");
-            let mut letters = code.chars();
-            assert!(letters.next().is_some_and(|c| c.is_ascii_uppercase()) && letters.all(|c| c.is_ascii_lowercase()));
+        for &entry in FOLLOWERS {
+            assert_eq!(follower(of_follower(entry)).map(|found| found.id), Some(entry.id));
+        }
+        for &entry in APPLICATIONS {
+            let letter = of_application(entry).chars().next().expect(entry.id);
+            assert_eq!(application(letter).map(|found| found.id), Some(entry.id));
         }
     }
 
     #[test]
-    fn every_law_and_follower_has_a_code_of_its_own() {
-        check(LAW_CODES, &LAWS.iter().map(|law| law.id).collect::<Vec<_>>());
-        check(FOLLOWER_CODES, &FOLLOWERS.iter().map(|kind| kind.id).collect::<Vec<_>>());
-    }
-
-    #[test]
-    fn every_application_has_a_letter_of_its_own() {
-        let mut letters: Vec<char> = APPLICATION_CODES.iter().flat_map(|entry| entry.1.chars()).collect();
-        assert_eq!(letters.len(), APPLICATIONS.len());
-        letters.sort_unstable();
-        letters.dedup();
-        assert_eq!(letters.len(), APPLICATIONS.len());
-        for entry in APPLICATIONS {
-            assert_eq!(
-                of_application(entry).chars().next().and_then(application).map(|found| found.id),
-                Some(entry.id)
-            );
+    fn the_letter_of_a_kind_of_cam_is_that_of_the_catalogue() {
+        let kinds = [
+            CamKind::Rotating,
+            CamKind::Grooved,
+            CamKind::ConstantBreadth { breadth: 100.0, generator: BreadthGenerator::Mirror },
+            CamKind::Translating { length: 360.0 },
+        ];
+        let plain = example("9RT").expect("9RT");
+        let text = |kind: CamKind| {
+            let speed = crate::Speed { unit: link::usual_speed_unit(kind), ..crate::Speed::default() };
+            link::write(&crate::Design { kind, speed, ..plain.clone() }, Version::One, None)
+        };
+        let usual = text(CamKind::Rotating);
+        for kind in kinds {
+            let own = text(kind);
+            let at = own.chars().zip(usual.chars()).position(|(one, other)| one != other).unwrap_or(own.len());
+            let letter = kind_label(kind.word()).expect("a row").link;
+            assert!(own[at..].starts_with(letter) && letter.is_empty() == (own == usual), "{own}");
         }
     }
 

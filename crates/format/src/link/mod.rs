@@ -24,7 +24,6 @@ mod repair;
 mod tables;
 mod title;
 
-pub use codes::{FOLLOWER_CODES, LAW_CODES};
 pub use repair::{Opened, open};
 
 use crate::limits::{MAX_LINK_MADE, MAX_LINK_OPENED};

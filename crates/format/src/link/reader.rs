@@ -2,6 +2,7 @@
 
 use super::{LinkError, TABLES, application, codes, data, defaults_of, tables, title, usual_speed_unit};
 use crate::limits::MAX_SEGMENTS;
+use crate::version;
 use crate::{
     BreadthGenerator, CamKind, Conjugate, Design, DesignError, LengthUnit, Notation, Problem, ProgramRefusal,
     SegmentDesign, Speed, SpeedUnit, Version,
@@ -259,12 +260,12 @@ trait Known {
 
 impl Known for Law {
     fn is_known(&self, version: Version) -> bool {
-        version.has_law(self)
+        version::of_law(self) <= version
     }
 }
 
 impl Known for FollowerKind {
     fn is_known(&self, version: Version) -> bool {
-        version.has_follower(self)
+        version::of_follower(self) <= version
     }
 }

@@ -283,7 +283,7 @@ $$tan(φ) = (d s)/(d x), ρ_p = -((1 + (s')^2)^(3/2))/(s'')$$",
         id: "application",
         name: two("What the follower drives", "Lo que mueve el seguidor"),
         text: two(
-            "A cam is there for what its follower drives. Everything here follows from the displacement $s$, above the lowest place of the follower, and from its velocity $V = v ω$; so the follower must slide, since the displacement of one that swings is an angle.
+            "A cam is there for what its follower drives. Everything here follows from the displacement $s$, above the lowest place of the follower, and from its velocity $V = v ω$; so the follower must be a translating one, since the displacement of an oscillating one is an angle.
 
 - *Force*: a spring or a column of fluid that is shut in pushes back in proportion, $F = K s$. Of fluid behind a piston of radius $r$, whose pressure rises by $P/V$ for each unit of volume, $K = (P/V) A^2$ with $A = π r^2$, and $p = (P/V) A s$.
 - *Pump*: the piston has swept $A s$ and moves the flow $Q = A V$. What rises is delivered and what returns is drawn in, so each turn delivers $A$ times the sum of the rises; leaks and the time that its valves take are left out.

@@ -1,8 +1,6 @@
 //! The words of the pages, side by side in both languages, so that neither can lack what the other says.
 
 pub mod concepts;
-pub mod followers;
-pub mod laws;
 pub mod manual;
 pub mod terms;
 
@@ -11,28 +9,23 @@ pub(crate) use levalab_words::two;
 
 #[cfg(test)]
 mod tests {
-    use super::{concepts, followers, laws, manual, terms};
+    use super::{concepts, manual, terms};
+    use levalab_catalogue::law_row;
     use levalab_core::law::Shape;
     use levalab_core::{FOLLOWERS, LAWS};
     use levalab_formula::parse;
     use std::collections::BTreeSet;
 
     #[test]
-    fn every_law_and_follower_has_its_words() {
+    fn every_law_has_a_formula() {
         for law in LAWS {
-            let words = laws::law(law.id).unwrap_or_else(|| panic!("{} has no words", law.id));
-            for text in [words.idea.en, words.idea.es, words.use_it.en, words.use_it.es, words.source] {
-                assert!(text.len() > 20, "{}: {text}", law.id);
-            }
+            let row = law_row(law).expect(law.id);
             let fixed = matches!(law.shape, Shape::Unit(_)) && law.parameters.is_empty();
             let printed = fixed
                 && law
                     .unit(crate::law_facts::rising(law))
                     .is_ok_and(|pieces| levalab_formula::curve::written(&pieces).is_some());
-            assert!(printed || !words.formulas.is_empty(), "{} has no formula", law.id);
-        }
-        for kind in FOLLOWERS {
-            assert!(followers::follower(kind.id).is_some(), "{} has no words", kind.id);
+            assert!(printed || !row.formulas.is_empty(), "{} has no formula", law.id);
         }
     }
 
@@ -46,7 +39,7 @@ mod tests {
 
     #[test]
     fn every_formula_can_be_read() {
-        let texts = laws::LAWS.iter().flat_map(|words| [words.idea, words.use_it]);
+        let texts = levalab_catalogue::LAWS.iter().flat_map(|row| [row.idea, row.advice]);
         let concepts = [concepts::MOTION, concepts::GEOMETRY, concepts::KINDS];
         let texts = texts.chain(concepts.into_iter().flatten().map(|concept| concept.text));
         let terms = terms::GROUPS.iter().flat_map(|group| group.terms);
@@ -57,7 +50,7 @@ mod tests {
             }
         }
         let symbols = terms.clone().map(|term| term.symbol).filter(|symbol| !symbol.is_empty());
-        let of_laws = laws::LAWS.iter().flat_map(|words| words.formulas).copied();
+        let of_laws = levalab_catalogue::LAWS.iter().flat_map(|row| row.formulas).copied();
         for formula in terms.filter_map(|term| term.formula).chain(symbols).chain(of_laws) {
             assert!(parse(formula).is_ok(), "{formula}");
         }

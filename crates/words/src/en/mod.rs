@@ -6,7 +6,8 @@ mod problem;
 
 use crate::voice::{FileProblem, Voice, joints_of_the_jerk, rests, row, worst_kinds};
 use crate::{Language, Units};
-use levalab_core::{FindingKind, Level};
+use levalab_catalogue::finding_label;
+use levalab_core::Level;
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Problem, Remedy, quoted};
@@ -16,62 +17,6 @@ pub(crate) struct English;
 const EN: Language = Language::En;
 
 impl Voice for English {
-    fn law(&self, id: &str) -> Option<&'static str> {
-        Some(match id {
-            "dwell" => "dwell",
-            "constant-velocity" => "constant velocity",
-            "parabolic" => "parabolic",
-            "parabolic-blend" => "modified uniform",
-            "cubic-1" => "cubic 1",
-            "cubic-2" => "cubic 2",
-            "simple-harmonic" => "simple harmonic",
-            "double-harmonic" => "double harmonic",
-            "cycloidal" => "cycloidal",
-            "polynomial-3-4-5" => "3-4-5 polynomial",
-            "polynomial-4-5-6-7" => "4-5-6-7 polynomial",
-            "modified-trapezoidal" => "modified trapezoidal",
-            "modified-sine" => "modified sine",
-            "scca" => "SCCA",
-            "skewed-scca" => "skewed SCCA",
-            "asymmetric-3-4-5" => "asymmetric 3-4-5",
-            "half-harmonic-start" => "half harmonic (start)",
-            "half-harmonic-end" => "half harmonic (end)",
-            "half-cycloidal-start" => "half cycloidal (start)",
-            "half-cycloidal-end" => "half cycloidal (end)",
-            "polynomial-5" => "5th-degree polynomial",
-            "polynomial-7" => "7th-degree polynomial",
-            "polynomial" => "free polynomial",
-            "bspline" => "B-spline",
-            "bezier" => "Bézier",
-            "table" => "table of points",
-            "formula" => "formula",
-            "circular-arc" => "circular arc",
-            _ => return None,
-        })
-    }
-
-    fn follower(&self, id: &str) -> Option<&'static str> {
-        Some(match id {
-            "translating-roller" => "translating roller follower",
-            "translating-knife" => "translating knife-edge follower",
-            "translating-curved" => "translating curved-face follower",
-            "translating-flat" => "translating flat-face follower",
-            "oscillating-roller" => "oscillating roller follower",
-            "oscillating-flat" => "oscillating flat-face follower",
-            _ => return None,
-        })
-    }
-
-    fn cam_kind(&self, word: &str) -> Option<&'static str> {
-        Some(match word {
-            "rotating" => "plate cam",
-            "grooved" => "grooved cam",
-            "constant-breadth" => "cam of constant breadth",
-            "translating" => "translating cam",
-            _ => return None,
-        })
-    }
-
     fn second_cam(&self) -> &'static str {
         "Second cam"
     }
@@ -104,7 +49,7 @@ impl Voice for English {
             }
             Level::Unacceptable => {
                 let reasons: Vec<String> =
-                    worst_kinds(report).into_iter().map(|kind| reason(kind).to_owned()).collect();
+                    worst_kinds(report).into_iter().map(|kind| finding_label(kind).reason.within(EN).to_owned()).collect();
                 format!("Unacceptable: {}.", row(&reasons, "and"))
             }
         }
@@ -167,28 +112,5 @@ impl Voice for English {
             FileProblem::Unreadable => "The file cannot be read.",
             FileProblem::Unwritable => "The result cannot be written.",
         }
-    }
-}
-
-/// Why a cam is unacceptable, after a colon.
-fn reason(kind: FindingKind) -> &'static str {
-    match kind {
-        FindingKind::Jump(0) => "the displacement jumps",
-        FindingKind::Jump(1) => "the velocity jumps",
-        FindingKind::Jump(2) => "the acceleration jumps",
-        FindingKind::Jump(_) => "the jerk jumps",
-        FindingKind::PressureAngle => "the pressure angle is too large",
-        FindingKind::Cusp => "the profile has a cusp",
-        FindingKind::Undercut => "the profile is undercut",
-        FindingKind::GrooveUndercut => "the outer wall of the groove is undercut",
-        FindingKind::ConcaveFlat => "the flat face cannot follow the profile",
-        FindingKind::NotProved(_) => "not every extreme is proved",
-        FindingKind::Doubtful => "the conditions hardly determine a curve",
-        FindingKind::BelowBase => "the follower goes below the base circle",
-        FindingKind::SelfCrossing => "the profile crosses itself",
-        FindingKind::ArmCutsCam => "the follower cuts into the cam",
-        FindingKind::PivotInsideCam => "the cam sweeps over the pivot",
-        FindingKind::FaceOvertaken => "the face turns faster than the cam",
-        FindingKind::ContactPastPivot => "the contact passes the pivot",
     }
 }

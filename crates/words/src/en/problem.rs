@@ -186,7 +186,7 @@ fn cam(refusal: CamRefusal) -> String {
             format!("At a distance of {found} there is no room for a second cam: it must be more than {least}.")
         }
         CamRefusal::SwingingApplication => {
-            "The displacement of a follower that swings is an angle, and an application is driven by a follower that slides."
+            "The displacement of an oscillating follower is an angle, and an application is driven by a translating follower."
                 .to_owned()
         }
     }

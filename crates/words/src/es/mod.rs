@@ -6,7 +6,8 @@ mod problem;
 
 use crate::voice::{FileProblem, Voice, joints_of_the_jerk, rests, row, worst_kinds};
 use crate::{Language, Units};
-use levalab_core::{FindingKind, Level};
+use levalab_catalogue::finding_label;
+use levalab_core::Level;
 use levalab_format::link::{LinkError, TooLong};
 use levalab_format::report::{DesignFinding, Report};
 use levalab_format::{Problem, Remedy, quoted};
@@ -16,66 +17,6 @@ pub(crate) struct Spanish;
 const ES: Language = Language::Es;
 
 impl Voice for Spanish {
-    fn law(&self, id: &str) -> Option<&'static str> {
-        Some(match id {
-            "dwell" => "de detenimiento",
-            "constant-velocity" => "de velocidad constante",
-            "parabolic" => "parabólica",
-            "parabolic-blend" => "uniforme modificada",
-            "cubic-1" => "cúbica 1",
-            "cubic-2" => "cúbica 2",
-            "simple-harmonic" => "armónica simple",
-            "double-harmonic" => "doble armónica",
-            "cycloidal" => "cicloidal",
-            "polynomial-3-4-5" => "polinómica 3-4-5",
-            "polynomial-4-5-6-7" => "polinómica 4-5-6-7",
-            "modified-trapezoidal" => "trapezoidal modificada",
-            "modified-sine" => "de seno modificado",
-            "scca" => "SCCA",
-            "skewed-scca" => "SCCA asimétrica",
-            "asymmetric-3-4-5" => "3-4-5 asimétrica",
-            "half-harmonic-start" => "semiarmónica (inicio)",
-            "half-harmonic-end" => "semiarmónica (final)",
-            "half-cycloidal-start" => "semicicloidal (inicio)",
-            "half-cycloidal-end" => "semicicloidal (final)",
-            "polynomial-5" => "polinómica de 5.º grado",
-            "polynomial-7" => "polinómica de 7.º grado",
-            "polynomial" => "polinómica libre",
-            "bspline" => "B-spline",
-            "bezier" => "de Bézier",
-            "table" => "por tabla de puntos",
-            "formula" => "por fórmula",
-            "circular-arc" => "de arco de circunferencia",
-            _ => return None,
-        })
-    }
-
-    fn law_alone(&self, id: &str) -> Option<&'static str> {
-        self.law(id).map(|name| name.strip_prefix("de ").or_else(|| name.strip_prefix("por ")).unwrap_or(name))
-    }
-
-    fn follower(&self, id: &str) -> Option<&'static str> {
-        Some(match id {
-            "translating-roller" => "seguidor de traslación con rodillo",
-            "translating-knife" => "seguidor de traslación con cuchilla",
-            "translating-curved" => "seguidor de traslación con cara curva",
-            "translating-flat" => "seguidor de traslación con cara plana",
-            "oscillating-roller" => "seguidor oscilante con rodillo",
-            "oscillating-flat" => "seguidor oscilante con cara plana",
-            _ => return None,
-        })
-    }
-
-    fn cam_kind(&self, word: &str) -> Option<&'static str> {
-        Some(match word {
-            "rotating" => "leva de placa",
-            "grooved" => "leva de ranura",
-            "constant-breadth" => "leva de anchura constante",
-            "translating" => "leva de traslación",
-            _ => return None,
-        })
-    }
-
     fn second_cam(&self) -> &'static str {
         "Segunda leva"
     }
@@ -113,7 +54,7 @@ impl Voice for Spanish {
             }
             Level::Unacceptable => {
                 let reasons: Vec<String> =
-                    worst_kinds(report).into_iter().map(|kind| reason(kind).to_owned()).collect();
+                    worst_kinds(report).into_iter().map(|kind| finding_label(kind).reason.within(ES).to_owned()).collect();
                 format!("Inaceptable: {}.", row(&reasons, "y"))
             }
         }
@@ -180,28 +121,5 @@ impl Voice for Spanish {
             FileProblem::Unreadable => "No se puede leer el archivo.",
             FileProblem::Unwritable => "No se puede escribir el resultado.",
         }
-    }
-}
-
-/// Why a cam is unacceptable, after a colon.
-fn reason(kind: FindingKind) -> &'static str {
-    match kind {
-        FindingKind::Jump(0) => "el desplazamiento salta",
-        FindingKind::Jump(1) => "la velocidad salta",
-        FindingKind::Jump(2) => "la aceleración salta",
-        FindingKind::Jump(_) => "la sobreaceleración salta",
-        FindingKind::PressureAngle => "el ángulo de presión es excesivo",
-        FindingKind::Cusp => "el perfil tiene una cúspide",
-        FindingKind::Undercut => "el perfil tiene rebaje",
-        FindingKind::GrooveUndercut => "la pared exterior de la ranura tiene rebaje",
-        FindingKind::ConcaveFlat => "la cara plana no puede seguir el perfil",
-        FindingKind::NotProved(_) => "no se han demostrado todos los extremos",
-        FindingKind::Doubtful => "las condiciones apenas determinan una curva",
-        FindingKind::BelowBase => "el seguidor baja de la circunferencia base",
-        FindingKind::SelfCrossing => "el perfil se corta a sí mismo",
-        FindingKind::ArmCutsCam => "el seguidor penetra en la leva",
-        FindingKind::PivotInsideCam => "la leva barre la articulación",
-        FindingKind::FaceOvertaken => "la cara gira más deprisa que la leva",
-        FindingKind::ContactPastPivot => "el contacto pasa al otro lado de la articulación",
     }
 }

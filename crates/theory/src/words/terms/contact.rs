@@ -57,8 +57,8 @@ pub(super) const TERMS: &[Term] = &[
         name: two("Face length", "Longitud de la cara"),
         unit: LENGTH,
         text: two(
-            "The least that the flat face must measure so that the contact never leaves it; a margin on each side is wise. A face that swings is measured from the foot of the perpendicular from its pivot.",
-            "Lo mínimo que debe medir la cara plana para que el contacto no se salga de ella; conviene un margen a cada lado. La cara que oscila se mide desde el pie de la perpendicular trazada desde su articulación.",
+            "The least that the flat face must measure so that the contact never leaves it; a margin on each side is wise. An oscillating face is measured from the foot of the perpendicular from its pivot.",
+            "Lo mínimo que debe medir la cara plana para que el contacto no se salga de ella; conviene un margen a cada lado. La cara oscilante se mide desde el pie de la perpendicular trazada desde su articulación.",
         ),
         formula: Some("v_(max) - v_(min)"),
         drawing: Some(("flat", "face")),

@@ -173,7 +173,7 @@ pub(super) const TERMS: &[Term] = &[
         name: two("Formula of a segment", "Fórmula de un tramo"),
         unit: LENGTH,
         text: two(
-            "Height above the base circle as an expression of $x$, $θ$, $β$ and $L$; products need no sign. Its angles are radians, $s$ and $L$ of a follower that swings too. Its derivatives are exact.",
+            "Height above the base circle as an expression of $x$, $θ$, $β$ and $L$; products need no sign. Its angles are radians, $s$ and $L$ of an oscillating follower too. Its derivatives are exact.",
             "Altura sobre la circunferencia base como expresión de $x$, $θ$, $β$ y $L$; los productos no necesitan signo. Sus ángulos van en radianes, también $s$ y $L$ de un seguidor oscilante. Sus derivadas son exactas.",
         ),
         formula: Some("s = f(x, θ, β, L)"),

@@ -1,0 +1,96 @@
+//! What every row has: a name in the forms in which it is shown, a code in links, and the version that first knew it.
+
+use crate::Two;
+
+/// A name in the forms in which it is shown.
+#[derive(Clone, Copy, Debug)]
+pub struct Name {
+    /// Within a sentence: beside the word *law* for a law (`cycloidal`, `de seno modificado`), as a noun for other things.
+    pub noun: Two,
+    /// Where nothing stands beside it, as in the cell of a table: `seno modificado`.
+    pub alone: Two,
+    /// In a menu of such things, with a capital: `Seno modificado`.
+    pub menu: Two,
+}
+
+/// A version of the design file and of the link. Both count alike: a link of a version holds what a file of that version holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Version {
+    /// What the first release knew.
+    One,
+    /// Laws that are new since, and tables of more than 128 points.
+    Two,
+}
+
+impl Version {
+    /// The newest version.
+    pub const LATEST: Self = Self::Two;
+
+    /// The versions that are read, in order.
+    pub const ALL: [Self; 2] = [Self::One, Self::Two];
+
+    /// The first field of a design file of this version.
+    #[must_use]
+    pub fn format(self) -> &'static str {
+        match self {
+            Self::One => "levalab/1",
+            Self::Two => "levalab/2",
+        }
+    }
+
+    /// The first field of a link of this version.
+    #[must_use]
+    pub fn number(self) -> &'static str {
+        match self {
+            Self::One => "1",
+            Self::Two => "2",
+        }
+    }
+}
+
+/// The part of a row that the page carries; the texts for the pages of theory stay out of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Label {
+    /// The name in files.
+    pub id: &'static str,
+    /// The code in a link; empty for what a link says in another way.
+    pub link: &'static str,
+    /// The first version of file and link that knows it.
+    pub since: Version,
+    /// The name within a sentence.
+    pub noun: Two,
+    /// The name where nothing stands beside it.
+    pub alone: Two,
+}
+
+impl Label {
+    pub(crate) const fn of(id: &'static str, link: &'static str, since: Version, name: &Name) -> Self {
+        Self { id, link, since, noun: name.noun, alone: name.alone }
+    }
+
+    /// A place in a list that is being made.
+    pub(crate) const NONE: Self = {
+        let empty = crate::two("", "");
+        Self { id: "", link: "", since: Version::One, noun: empty, alone: empty }
+    };
+}
+
+/// The label of that id.
+pub(crate) fn find(labels: &'static [Label], id: &str) -> Option<&'static Label> {
+    labels.iter().find(|label| label.id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_count_up_from_one() {
+        for (version, number) in Version::ALL.into_iter().zip(1..) {
+            assert_eq!(version.format(), format!("levalab/{number}"));
+            assert_eq!(version.number(), number.to_string());
+        }
+        assert_eq!(Version::ALL.last(), Some(&Version::LATEST));
+        assert!(Version::ALL.is_sorted());
+    }
+}
