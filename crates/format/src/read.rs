@@ -133,7 +133,7 @@ fn read_kind(cam: &Object) -> Result<CamKind, DesignError> {
 }
 
 /// A count of sides; what is not one is refused where the sides of all polygons are.
-fn read_sides(field: &Field) -> Result<u32, DesignError> {
+pub(crate) fn read_sides(field: &Field) -> Result<u32, DesignError> {
     let found = field.number()?;
     let whole = found.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&found);
     let problem = Problem::Cam(CamRefusal::Sides { found, most: f64::from(MAX_SIDES) });
