@@ -423,6 +423,35 @@ mod tests {
     }
 
     #[test]
+    fn the_documentation_lists_every_edit_with_its_fields_and_its_examples_are_edits() {
+        let page = include_str!("../../../../docs/edits.md");
+        for op in OPS {
+            assert!(page.contains(&format!("| `{op}` |")), "{op} is not told");
+        }
+        let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split_once("` | "));
+        for (op, row) in rows.filter(|(op, _)| OPS.contains(op)) {
+            let fields = row.split_once(" |").map_or("", |(fields, _)| fields.trim_start_matches('|'));
+            let names: Vec<&str> = fields.split('`').skip(1).step_by(2).collect();
+            let with = |name: &str| {
+                let mut edit = json!({ "op": op });
+                edit[name] = "?".into();
+                Edit::list(&edit)
+            };
+            let unknown = |name: &str| {
+                let error = with(name).err();
+                error.is_some_and(|error| matches!(error.problem, Problem::UnknownField { .. }))
+            };
+            assert!(names.iter().all(|name| !unknown(name)), "{op} has not all of {names:?}");
+            assert!(unknown("something"), "{op}");
+        }
+        let blocks: Vec<&str> = page.split("```json").skip(1).filter_map(|rest| rest.split("```").next()).collect();
+        assert!(!blocks.is_empty());
+        for block in blocks {
+            Edit::from_bytes(block.as_bytes()).unwrap_or_else(|error| panic!("{error}: {block}"));
+        }
+    }
+
+    #[test]
     fn what_is_no_edit_is_refused_at_its_place() {
         for (told, place) in [
             (json!({ "op": "fly" }), "edits[0].op"),

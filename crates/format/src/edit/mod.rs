@@ -238,12 +238,12 @@ impl Edit {
         Self::Set { path: path.into(), value: value.into() }
     }
 
-    /// The edits of a text: one edit, or a list of them, in JSON.
+    /// The edits of a text in JSON: one edit, or a list of them.
     ///
     /// # Errors
     /// Says where the text is no edit, and why.
-    pub fn from_json(text: &str) -> Result<Vec<Self>, DesignError> {
-        Self::list(&crate::json::parse(text)?)
+    pub fn from_bytes(bytes: &[u8]) -> Result<Vec<Self>, DesignError> {
+        Self::list(&crate::json::parse_bytes(bytes)?)
     }
 
     /// The change of a design that need not make a cam.
