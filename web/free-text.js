@@ -5,12 +5,10 @@
  * @import { ShellContext, State } from "./types.d.ts"
  * @import { Kind } from "./text-field.js"
  */
-import { clean } from "./clean.js";
 import { h, symbol, write } from "./dom.js";
-import { setBeta } from "./free-data.js";
 import { assemble } from "./free-parts.js";
 import { marksOf } from "./marks.js";
-import { fieldText, parseNumber } from "./numbers.js";
+import { fieldText, parseNumber, sum } from "./numbers.js";
 import { pastedPoints } from "./pasted.js";
 import { createTextField } from "./text-field.js";
 
@@ -22,11 +20,8 @@ const FORMULA = {
   radians: true,
   write: ({ expression }) => expression ?? "",
   read: (text) => ({ data: text }),
-  adopt(segment, data, { report: { heights } }, index) {
-    // Only a formula that names L has a rise to be told.
-    if (!/L/.test(String(data))) delete segment.rise;
-    else segment.rise ??= clean((heights[index + 1] ?? 0) - (heights[index] ?? 0));
-  },
+  // Its rise may come or go with it.
+  edits: (data, segment) => [{ op: "formula", segment, text: String(data) }],
 };
 
 /** @type {Kind} */
@@ -55,7 +50,7 @@ const TABLE = {
     const { points, line } = pastedPoints(text);
     if (!points) return { problem: t("table.unreadable", { line }) };
     const first = points[0]?.[0] ?? 0;
-    return { data: points.map(([at, s]) => [clean(at - first), s]) };
+    return { data: points.map(([at, s]) => [sum(at, -first), s]) };
   },
 };
 
@@ -106,12 +101,9 @@ export function createTableField(context, place) {
   field.root.append(span, residuals);
 
   span.addEventListener("click", () => {
-    store.edit(t("edit.points"), (draft) => {
-      const segment = draft.segments[index()];
-      const last = segment?.points?.at(-1)?.[0];
-      // The points stay where they are, and the segment goes as far as they do.
-      if (segment && last) setBeta(Object.assign(segment, { beta: last }), last);
-    });
+    const last = store.state.design.segments[index()]?.points?.at(-1)?.[0];
+    // The points stay where they are, and the segment goes as far as they do.
+    if (last) store.edit(t("edit.points"), [{ path: ["segments", index(), "beta"], value: last }]);
     field.input.focus();
   });
 

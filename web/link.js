@@ -15,6 +15,9 @@ const PAUSE = 350;
  */
 export function keepLink({ store, banner, t }, engine, damaged) {
   let written = fragment();
+  /** The link of the report that was seen last, and the newest design that has its own entry among the browser's pages. */
+  let seen = store.state.report.link;
+  let entered = store.origin();
   const first = damaged ? store.state.report : null;
   let lastWrite = -Infinity;
   let timer = 0;
@@ -29,19 +32,35 @@ export function keepLink({ store, banner, t }, engine, damaged) {
     keep("design", { design, fragment: fragment() }, "sessionStorage");
   }
 
-  /** @param {string} link */
-  function point(link) {
+  /**
+   * @param {string} link
+   * @param {"replaceState" | "pushState"} [how]
+   */
+  function point(link, how = "replaceState") {
     written = link;
     if (link === fragment()) return;
     lastWrite = performance.now();
     try {
-      history.replaceState(null, "", `#${link}`);
+      history[how](null, "", `#${link}`);
     } catch {
       // A sandboxed frame may not touch its address; the button still copies the link.
     }
   }
 
+  /** A design that was opened has an entry of its own: Back leads to the one before, as it was left. */
+  function enter() {
+    const { link } = store.state.report;
+    if (timer && seen !== "") point(seen);
+    clearTimeout(timer);
+    timer = 0;
+    entered = store.origin();
+    if (link !== "") point(link, "pushState");
+    write();
+  }
+
   function schedule() {
+    if (store.origin() > entered) enter();
+    seen = store.state.report.link;
     if (timer || store.state.report === first) return;
     timer = window.setTimeout(write, Math.max(0, PAUSE - (performance.now() - lastWrite)));
   }

@@ -51,6 +51,22 @@ export function parseNumber(text, unit = "") {
 }
 
 /**
+ * A number without the noise that sums of typed decimals carry.
+ * @param {number} value
+ */
+export const exact = (value) => Number(value.toPrecision(EXACT)) + 0;
+
+/**
+ * A sum of decimals as it is on paper.
+ * @param {number} one
+ * @param {number} other
+ */
+export function sum(one, other) {
+  const total = one + other;
+  return Math.abs(total) < Math.max(Math.abs(one), Math.abs(other)) * 10 ** -EXACT ? 0 : exact(total);
+}
+
+/**
  * @param {string} digits  plain decimal form with a point, no sign
  * @param {string} sign
  */

@@ -57,7 +57,7 @@ pub fn joined(value: &Value) -> Result<Joined, DesignError> {
         fields.remove(*key);
     }
     fields.insert("segments".to_owned(), serde_json::json!([{"law": "dwell", "beta": 360}]));
-    let around = Design::read_around(&Value::Object(fields))?;
+    let around = Design::draft(&Value::Object(fields))?;
     if !matches!(around.kind, CamKind::Rotating | CamKind::Grooved) {
         return Err(DesignError::at(REQUIREMENTS, CamRefusal::Unsuited { kind: around.kind.word() }));
     }

@@ -29,8 +29,14 @@ pub(crate) fn round(value: f64, digits: i32, how: fn(f64) -> f64) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }
-    let place = value.abs().log10().floor() as i32 + 1 - digits;
-    rounded_at(value, place, how)
+    rounded_at(value, magnitude(value) + 1 - digits, how)
+}
+
+/// The power of ten of the leading digit; any size of a number, endless ones too.
+pub(crate) fn magnitude(value: f64) -> i32 {
+    /// Beyond the powers that an `f64` has.
+    const MOST: f64 = 400.0;
+    value.abs().log10().floor().clamp(-MOST, MOST) as i32
 }
 
 /// A number rounded to a multiple of 10^`place`, likewise.
@@ -45,8 +51,9 @@ pub(crate) fn rounded_at(value: f64, place: i32, how: fn(f64) -> f64) -> f64 {
 /// Digits that sums and quotients of typed decimals keep: what they leave beyond them is rounding.
 const TYPED_DIGITS: i32 = 12;
 
-/// A number without the rounding that sums and quotients leave; −0 becomes 0.
-pub(crate) fn clean(value: f64) -> f64 {
+/// A number without the rounding that sums and quotients leave: twelve digits of it; −0 becomes 0.
+#[must_use]
+pub fn clean(value: f64) -> f64 {
     round(value, TYPED_DIGITS, f64::round) + 0.0
 }
 
@@ -63,7 +70,7 @@ pub(crate) fn half_figures(value: f64, how: fn(f64) -> f64) -> f64 {
     if value <= 0.0 || !value.is_finite() {
         return value;
     }
-    let place = value.log10().floor() as i32;
+    let place = magnitude(value);
     let halves = how(2.0 * value / 10_f64.powi(place) - ROUNDING);
     decimal(5 * halves as u128, place - 1)
 }

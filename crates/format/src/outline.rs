@@ -19,6 +19,8 @@ pub struct Outline {
     pub open: f64,
     /// The height at each border, one more than there are segments.
     pub heights: Vec<f64>,
+    /// The rise of each segment.
+    pub rises: Vec<f64>,
     /// The greatest of the heights.
     pub lift: f64,
     /// How far the follower of a cam of constant breadth travels.
@@ -34,12 +36,14 @@ impl Design {
     #[must_use]
     pub fn outline(&self) -> Outline {
         let left = self.left();
+        let heights = self.draft_heights();
         let last = self.segments.last().map(|segment| Decimal::of(segment.beta) + left);
         Outline {
             whole: self.kind.whole(),
             left: clean(left.to_f64()),
             open: clean(self.open_height().to_f64()),
-            heights: self.draft_heights().into_iter().map(|height| clean(height.to_f64())).collect(),
+            heights: heights.iter().map(|height| clean(height.to_f64())).collect(),
+            rises: heights.windows(2).map(|ends| clean((ends[1] - ends[0]).to_f64())).collect(),
             lift: clean(self.draft_lift()),
             travel: self.breadth_travel(),
             stretches: last.is_some_and(|beta| beta > Decimal::default()),

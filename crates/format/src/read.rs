@@ -39,8 +39,11 @@ impl Design {
         Self::open(value).map(|(design, _)| design)
     }
 
-    /// A design as it stands in an object, its program not looked at.
-    pub(crate) fn read_around(value: &Value) -> Result<Self, DesignError> {
+    /// A design that is being worked on: a design file as it stands, which need not make a cam.
+    ///
+    /// # Errors
+    /// Where a field is missing, unknown or of another kind, or a list too long.
+    pub fn draft(value: &Value) -> Result<Self, DesignError> {
         read(value)
     }
 
@@ -49,10 +52,17 @@ impl Design {
     /// # Errors
     /// As [`Design::from_json`].
     pub fn open(value: &Value) -> Result<(Self, Cam), DesignError> {
-        let mut design = read(value)?;
-        let cam = design.cam()?;
-        design.settle_rises();
-        Ok((design, cam))
+        read(value)?.checked()
+    }
+
+    /// A design with its cam.
+    ///
+    /// # Errors
+    /// As [`Design::cam`].
+    pub fn checked(mut self) -> Result<(Self, Cam), DesignError> {
+        let cam = self.cam()?;
+        self.settle_rises();
+        Ok((self, cam))
     }
 }
 

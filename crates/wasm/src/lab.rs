@@ -5,10 +5,9 @@ use crate::report::{PageReport, cures, of_both, told_cures};
 use levalab_core::{Analysis, Cam, Column, Svaj};
 use levalab_edge::{Failure, language, object};
 use levalab_format::report::{Report, column, scale_of};
-use levalab_format::{CureJob, Design, DesignError};
+use levalab_format::{CureJob, Design, DesignError, Outline, clean};
 use plotters::style::RGBColor;
 use serde::Serialize;
-use serde_json::Value;
 use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
@@ -43,6 +42,15 @@ pub struct Beside {
     pub dash: Vec<f64>,
 }
 
+/// The report on a design that makes a cam, or what is wrong with it; in either case the outline of its program, unless it is no
+/// design file at all.
+#[derive(Serialize)]
+struct Answer {
+    #[serde(flatten)]
+    opened: Opened,
+    outline: Option<Outline>,
+}
+
 #[derive(Serialize)]
 #[serde(rename_all = "snake_case")]
 enum Opened {
@@ -70,7 +78,9 @@ impl Lab {
         #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
     ) -> Result<JsValue, JsError> {
         let language = language(words);
-        object(&match analyse(&levalab_edge::value(design), samples) {
+        let draft = Design::draft(&levalab_edge::value(design));
+        let outline = draft.as_ref().ok().map(Design::outline);
+        let opened = match draft.and_then(|draft| analyse(draft, samples)) {
             Ok((current, second)) => {
                 let report = PageReport::of(&current, second.as_ref(), language);
                 self.current = Some(Rc::new(current));
@@ -79,7 +89,8 @@ impl Lab {
                 Opened::Report(Box::new(report))
             }
             Err(error) => Opened::Error(Failure::of(language, &error)),
-        })
+        };
+        object(&Answer { opened, outline })
     }
 
     /// The cures of each finding of the current cam, or of both cams of a pair, in the order of the verdict. Slower than an analysis: for when the hand rests.
@@ -130,7 +141,7 @@ impl Lab {
         values.unwrap_or_default()
     }
 
-    /// The limits of s, v, a, j (per radian, in the unit of s) before a border of the segments, and after it; empty when there is none.
+    /// The limits of s, v, a, j (per radian, in the unit of s, without the noise of rounding) before a border of the segments, and after it; empty when there is none.
     pub fn limits(&self, border: usize) -> Vec<f64> {
         self.current.as_ref().map_or_else(Vec::new, |current| limits(current, border))
     }
@@ -172,12 +183,19 @@ fn limits(current: &Current, border: usize) -> Vec<f64> {
     let theta = borders.get(border).map(|&theta| if border + 1 == borders.len() { borders[0] } else { theta });
     let joint = theta.and_then(|theta| current.analysis.joints.iter().find(|joint| joint.theta == theta));
     let scale = scale_of(&current.design, Column::S);
-    let side = |motion: Svaj| (0..4).map(move |order| motion.order(order) * scale + 0.0);
+    let side = |motion: Svaj| (0..4).map(move |order| noticed(clean(motion.order(order) * scale)));
     joint.map_or_else(Vec::new, |joint| side(joint.before).chain(side(joint.after)).collect())
 }
 
-pub(crate) fn analyse(value: &Value, samples: usize) -> Result<(Current, Option<Current>), DesignError> {
-    let (design, cam) = Design::open(value)?;
+/// A derivative at a border that is smaller than this, per radian and in the unit of *s*, is rounding.
+const LIMIT_TOLERANCE: f64 = 1e-9;
+
+fn noticed(value: f64) -> f64 {
+    if value.abs() < LIMIT_TOLERANCE { 0.0 } else { value }
+}
+
+pub(crate) fn analyse(draft: Design, samples: usize) -> Result<(Current, Option<Current>), DesignError> {
+    let (design, cam) = draft.checked()?;
     let second = design.second(&cam)?.map(|second| Current::of(design.clone(), second, samples));
     Ok((Current::of(design, cam, samples), second))
 }

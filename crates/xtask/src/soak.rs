@@ -19,6 +19,9 @@ const SHORT: u64 = 100_000;
 /// Fewest texts tried as formulas: they take a second.
 const FORMULAS: u64 = 1_000_000;
 
+/// One sequence of edits for so many designs: twenty thousand in the test, two hundred thousand with `--count 1000000`.
+const SEQUENCES: u64 = 5;
+
 /// One design in so many is tried with all its cures, which takes hundreds of analyses: a thousand in the test, ten thousand with
 /// `--count 1000000`.
 const CURED: u64 = 100;
@@ -44,7 +47,7 @@ pub fn run(options: &Options) -> Result<()> {
     let compared = ["--package", "levalab-core", "--test", "formulas", "--", "--nocapture"];
     let all = [
         ("designs and damaged links", count, designs.as_slice()),
-        ("sequences of edits", count, &edits),
+        ("sequences of edits", count / SEQUENCES, &edits),
         ("formulas", count.max(FORMULAS), &formulas),
         ("designs with all their cures", count / CURED, &cures),
         ("formulas at two numbers of rows", if count > SHORT { count / COMPARED } else { 0 }, &compared),

@@ -3,7 +3,7 @@
 use super::data::is_a_length;
 use super::program::{bridge, scale_to};
 use crate::decimal::Decimal;
-use crate::digits::{half_figures, rounded_at};
+use crate::digits::{half_figures, magnitude, rounded_at};
 use crate::measure::default_of;
 use crate::{CamKind, Conjugate, Design, DesignError};
 use levalab_core::law::Data;
@@ -104,8 +104,7 @@ fn convert_rises(design: &mut Design, heights: &[Decimal], per_unit: f64) {
     let heights: Vec<f64> = heights.iter().map(|height| height.to_f64() / per_unit).collect();
     let top = heights.iter().fold(0.0_f64, |top, height| top.max(height.abs()));
     let shrink = if design.is_oscillating() && top > LARGEST_SWING { LARGEST_SWING / top } else { 1.0 };
-    let size = top * shrink;
-    let place = if size > 0.0 && size.is_finite() { size.log10().floor() as i32 - 1 } else { -1 };
+    let place = if top > 0.0 { magnitude(top * shrink) - 1 } else { -1 };
     let rounded: Vec<Decimal> =
         heights.iter().map(|height| Decimal::of(rounded_at(height * shrink, place, f64::round))).collect();
     for (k, segment) in design.segments.iter_mut().enumerate() {

@@ -1,12 +1,12 @@
 //! Edits as JSON, and paths and assignments as the command line writes them.
 
-use super::{Completion, Edit, Unit};
+use super::{Completion, Edit, Left, Unit};
 use crate::application::TargetsBy;
 use crate::fields::{Field, Object};
 use crate::kind::BreadthGenerator;
 use crate::limits::MAX_SEGMENTS;
 use crate::write::number;
-use crate::{CamKind, DataRefusal, DesignError, LengthUnit, Path, PathPart, Problem, SpeedUnit};
+use crate::{CamKind, DataRefusal, Design, DesignError, LengthUnit, Path, PathPart, Problem, SpeedUnit};
 use levalab_core::application::APPLICATIONS;
 use levalab_core::{FOLLOWERS, LAWS};
 use serde::ser::SerializeMap;
@@ -190,8 +190,14 @@ fn read(edit: &Object) -> Result<Edit, DesignError> {
             Edit::Follower { kind: FOLLOWERS[edit.word("follower", &ids)?] }
         }
         "kind" => {
-            only(&["kind"])?;
-            Edit::Kind { kind: CamKind::WORDS[edit.word("kind", &CamKind::WORDS)?] }
+            only(&["kind", "before", "after"])?;
+            let kind = CamKind::WORDS[edit.word("kind", &CamKind::WORDS)?];
+            let design = |key: &str| edit.required(key).and_then(|field| Design::draft(field.value));
+            let back = match edit.has("before") || edit.has("after") {
+                true => Some(Box::new(Left { before: design("before")?, after: design("after")? })),
+                false => None,
+            };
+            Edit::Kind { kind, back }
         }
         "generator" => {
             only(&["generator", "sides"])?;
@@ -344,7 +350,11 @@ impl Edit {
             }
             Self::Formula { segment, ref text } => vec![("segment", segment.into()), ("text", text.as_str().into())],
             Self::Follower { kind } => vec![("follower", kind.id.into())],
-            Self::Kind { kind } => vec![("kind", kind.into())],
+            Self::Kind { kind, ref back } => {
+                let designs =
+                    back.iter().flat_map(|left| [("before", left.before.to_value()), ("after", left.after.to_value())]);
+                [("kind", kind.into())].into_iter().chain(designs).collect()
+            }
             Self::Generator { generator, sides } => {
                 let sides = optional("sides", sides.map(Value::from));
                 [("generator", generator.into())].into_iter().chain(sides).collect()

@@ -1,9 +1,9 @@
 //! Another kind of cam from the same design.
 
 use super::data::{backwards, flipped};
-use super::dwell;
 use super::follower::exchange;
 use super::program::{bridge, has_room, plain, spread};
+use super::{Left, dwell};
 use crate::decimal::Decimal;
 use crate::digits::{DIGITS, clean, half_figures, round};
 use crate::report::degrees;
@@ -61,6 +61,41 @@ pub(super) fn change(design: &mut Design, kind: &'static str) -> Result<(), Desi
         fold(design);
     } else if travels {
         straighten(design)?;
+    }
+    Ok(())
+}
+
+/// Back to a kind that was left: what was not changed since is as it was before, and what was changed goes the way of any change.
+pub(super) fn change_back(design: &mut Design, kind: &'static str, left: &Left) -> Result<(), DesignError> {
+    let Left { before, after } = left;
+    let now = design.clone();
+    change(design, kind)?;
+    let same_measures = now.length_unit == after.length_unit && now.follower.motion == after.follower.motion;
+    if !same_measures || before.kind.word() != kind {
+        return Ok(());
+    }
+    if now.segments == after.segments && now.kind == after.kind {
+        design.segments.clone_from(&before.segments);
+        (design.kind, design.rotation, design.base_radius) = (before.kind, before.rotation, before.base_radius);
+    }
+    if now.speed == after.speed {
+        design.speed = before.speed;
+    }
+    if (now.follower, now.values) == (after.follower, after.values) {
+        (design.follower, design.values) = (before.follower, before.values);
+    }
+    if now.application == after.application {
+        design.application.clone_from(&before.application);
+    }
+    if now.conjugate == after.conjugate {
+        design.conjugate = before.conjugate;
+    }
+    // What turns the same way and is as large as it became is as large as it was.
+    if now.rotation != after.rotation {
+        design.rotation = now.rotation;
+    }
+    if now.base_radius != after.base_radius {
+        design.base_radius = now.base_radius;
     }
     Ok(())
 }

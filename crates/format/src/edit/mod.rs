@@ -135,6 +135,8 @@ pub enum Edit {
     Kind {
         /// The word for the kind.
         kind: &'static str,
+        /// The design when it was of that kind the last time, for the way back.
+        back: Option<Box<Left>>,
     },
     /// The motion of a cam of constant breadth made another way.
     Generator {
@@ -172,6 +174,15 @@ pub enum Edit {
     },
     /// A new design in the units of the present one: a radial roller on a dwell.
     New,
+}
+
+/// A design of a kind of cam that was left for another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Left {
+    /// The design as it was.
+    pub before: Design,
+    /// What the other kind made of it.
+    pub after: Design,
 }
 
 /// A way to complete the program.
@@ -224,10 +235,7 @@ impl Design {
     /// # Errors
     /// As [`apply`], and when what comes out makes no cam.
     pub fn edited(&self, edits: &[Edit]) -> Result<Self, DesignError> {
-        let mut design = apply(self, edits)?;
-        design.cam()?;
-        design.settle_rises();
-        Ok(design)
+        apply(self, edits)?.checked().map(|(design, _)| design)
     }
 }
 
@@ -265,7 +273,8 @@ impl Edit {
             Self::DropConditions { segment, at, order } => data::remove(design, segment, at, order),
             Self::Formula { segment, ref text } => data::formula(design, segment, text),
             Self::Follower { kind } => follower::change(design, kind),
-            Self::Kind { kind } => kind::change(design, kind),
+            Self::Kind { kind, back: None } => kind::change(design, kind),
+            Self::Kind { kind, back: Some(ref left) } => kind::change_back(design, kind, left),
             Self::Generator { generator, sides } => kind::change_generator(design, generator, sides),
             Self::Pair { tie, value } => pair::change(design, tie, value),
             Self::Application { kind } => application::change(design, kind),
@@ -287,14 +296,25 @@ impl Draft {
     fn after(self, edit: &Edit) -> Result<Self, DesignError> {
         match edit {
             Edit::Set { path, value } => {
+                let field = match path.0.as_slice() {
+                    [PathPart::Key(segments), PathPart::Index(k), PathPart::Key(field)] if segments == "segments" => {
+                        Some((*k, field.as_str()))
+                    }
+                    _ => None,
+                };
+                if let (Some((segment, "expression")), Value::String(text)) = (field, value) {
+                    // The rise may come or go with it.
+                    return self.after(&Edit::Formula { segment, text: text.clone() });
+                }
                 let mut file = self.file();
                 set(&mut file, path, value.clone())?;
-                // A rise that a segment does not have would be lost in silence.
-                if let [PathPart::Key(segments), PathPart::Index(k), PathPart::Key(field)] = path.0.as_slice()
-                    && (segments.as_str(), field.as_str()) == ("segments", "rise")
+                if let Some((k, "rise" | "law")) = field
                     && value.as_f64() != Some(0.0)
                 {
-                    has_rise(&Design::read_around(&file)?, *k)?;
+                    // A rise that the segment does not have would be lost in silence.
+                    let design = Design::draft(&file)?;
+                    has_rise(&design, k)?;
+                    return Ok(Self::Design(design));
                 }
                 Ok(Self::File(file))
             }
@@ -321,7 +341,7 @@ impl Draft {
     fn design(self) -> Result<Design, DesignError> {
         match self {
             Self::Design(design) => Ok(design),
-            Self::File(file) => Design::read_around(&file),
+            Self::File(file) => Design::draft(&file),
         }
     }
 }
@@ -332,7 +352,7 @@ fn settled(design: &Design) -> Result<Design, DesignError> {
     if let Some(path) = place_of_null(&file, &Path::default()) {
         return Err(DesignError::at(path, Problem::NotFinite));
     }
-    Design::read_around(&file)
+    Design::draft(&file)
 }
 
 /// Where a file holds nothing: what a number that is not finite is written as.
@@ -348,7 +368,7 @@ fn place_of_null(value: &Value, here: &Path) -> Option<Path> {
 /// Refuses a rise for a segment that stays, or whose data say where it ends.
 fn has_rise(design: &Design, k: usize) -> Result<(), DesignError> {
     let Some(segment) = design.segments.get(k) else { return Ok(()) };
-    if asks_for_rise(segment.law, &segment.data) {
+    if segment.rise == 0.0 || asks_for_rise(segment.law, &segment.data) {
         return Ok(());
     }
     let here = Path::from("segments").join(k).join("rise");

@@ -5,7 +5,7 @@ use super::law::with_law;
 use super::{Completion, has_segment, no_item, refused};
 use crate::data::{stated_end, stretched};
 use crate::decimal::Decimal;
-use crate::digits::{DIGITS, clean, round, rounded_at};
+use crate::digits::{DIGITS, clean, magnitude, round, rounded_at};
 use crate::limits::MAX_SEGMENTS;
 use crate::{CamRefusal, Design, DesignError, EditRefusal, Path, ProgramRefusal, SegmentDesign};
 use levalab_core::Law;
@@ -163,7 +163,7 @@ pub(super) fn spread(design: &mut Design) -> Result<(), DesignError> {
         return refused(EditRefusal::NothingLeft);
     }
     let factor = whole / turn.to_f64();
-    let place = whole.log10().floor() as i32 + 1 - SPREAD_DIGITS;
+    let place = magnitude(whole) + 1 - SPREAD_DIGITS;
     for segment in &mut design.segments {
         let exact = segment.beta * factor;
         let rounded = rounded_at(exact, place, f64::round);

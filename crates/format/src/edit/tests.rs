@@ -19,7 +19,7 @@ fn nine() -> Design {
 fn with_segments(segments: &[Value]) -> Design {
     let mut file = example("9RT").expect("9RT").to_value();
     file["segments"] = segments.into();
-    Design::read_around(&file).expect("a design file")
+    Design::draft(&file).expect("a design file")
 }
 
 fn made(design: &Design, edit: Edit) -> Design {
@@ -210,6 +210,8 @@ fn a_formula_that_begins_to_name_l_gets_the_rise_of_its_segment() {
     assert_eq!((plain.segments[0].rise, is_closed(&plain)), (0.0, true), "{:?}", plain.outline());
     let again = made(&plain, Edit::Formula { segment: 0, text: "L x".to_owned() });
     assert_eq!(again.segments[0].rise, 10.0);
+    let by_path = |text: &str| made(&plain, Edit::set(Path::from("segments").join(0).join("expression"), text));
+    assert_eq!(by_path("L x"), again);
 }
 
 #[test]
@@ -226,6 +228,7 @@ fn a_value_goes_where_its_path_says() {
         (Edit::set(["cam", "base_radius", "more"], 1), "cam.base_radius"),
         (Edit::set(Path::from("segments").join(9).join("beta"), 1), "segments[9]"),
         (Edit::set(Path::from("segments").join(1).join("rise"), 5), "segments[1].rise"),
+        (Edit::set(Path::from("segments").join(0).join("law"), "dwell"), "segments[0].rise"),
         (Edit::Clear { path: ["cam", "base_radius"].into() }, "cam.base_radius"),
         (Edit::Clear { path: "conjugate".into() }, "conjugate"),
     ] {
@@ -274,7 +277,7 @@ fn any_follower_and_any_kind_leave_a_good_program_closed() {
         let edit = if random.once_in(2) {
             Edit::Follower { kind: FOLLOWERS[random.below(FOLLOWERS.len())] }
         } else {
-            Edit::Kind { kind: crate::CamKind::WORDS[random.below(4)] }
+            Edit::Kind { kind: crate::CamKind::WORDS[random.below(4)], back: None }
         };
         let Ok(after) = apply(&design, std::slice::from_ref(&edit)) else {
             // An image of more than half of the segments that there may be.
@@ -299,7 +302,7 @@ fn a_cam_that_travels_is_bent_round_and_runs_back() {
         ],
     });
     let wedge = Design::from_value(&file).expect("a wedge");
-    let round = made(&wedge, Edit::Kind { kind: "rotating" });
+    let round = made(&wedge, Edit::Kind { kind: "rotating", back: None });
     let cam = round.cam().expect("a cam");
     assert_eq!(round.segments.len(), 4);
     assert_eq!(round.segments[3].law.id, "half-cycloidal-end");
@@ -309,11 +312,31 @@ fn a_cam_that_travels_is_bent_round_and_runs_back() {
 }
 
 #[test]
+fn a_kind_that_is_tried_and_left_gives_the_design_back() {
+    let mut random = Random::new(10);
+    for _ in 0..300 {
+        let before = testing::design(&mut random);
+        let kind = crate::CamKind::WORDS[random.below(4)];
+        let Ok(after) = apply(&before, &[Edit::Kind { kind, back: None }]) else { continue };
+        let left = || Some(Box::new(Left { before: before.clone(), after: after.clone() }));
+        let home = before.kind.word();
+        assert_eq!(
+            made(&after, Edit::Kind { kind: home, back: left() }).to_json(),
+            before.to_json(),
+            "by way of {kind}"
+        );
+        let renamed = made(&after, Edit::set("title", "changed since"));
+        let back = made(&renamed, Edit::Kind { kind: home, back: left() });
+        assert_eq!((back.title.as_str(), &back.segments), ("changed since", &before.segments));
+    }
+}
+
+#[test]
 fn half_a_turn_and_its_image_make_the_same_whole_turn() {
-    let yoke = made(&nine(), Edit::Kind { kind: "constant-breadth" });
+    let yoke = made(&nine(), Edit::Kind { kind: "constant-breadth", back: None });
     let half = made(&yoke, Edit::Generator { generator: "mirror", sides: None });
     let before = half.cam().expect("a yoke").program;
-    let whole = made(&half, Edit::Kind { kind: "rotating" });
+    let whole = made(&half, Edit::Kind { kind: "rotating", back: None });
     let after = whole.cam().expect("a cam").program;
     for k in 0..36 {
         let theta = f64::from(k) / 6.0;

@@ -38,14 +38,15 @@ pub fn edit(random: &mut Random, design: &Design) -> Edit {
             text: (*random.pick(&["s₀ + L x", "x^2", "L sin(πx/2)^2", "1/0", "("])).to_owned(),
         },
         23 => Edit::Follower { kind: random.any(FOLLOWERS) },
-        24 => Edit::Kind { kind: random.any(&CamKind::WORDS) },
+        24 => Edit::Kind { kind: random.any(&CamKind::WORDS), back: None },
         25 => {
             let sides = random.once_in(2).then(|| random.below(40) as u32);
             Edit::Generator { generator: random.any(&BreadthGenerator::WORDS), sides }
         }
         26 => {
             let tie = *random.pick(&["distance", "angle", "base_radius"]);
-            Edit::Pair { tie, value: random.once_in(2).then(|| number(random)) }
+            // The search for a value takes as long as all other edits together.
+            Edit::Pair { tie, value: (!random.once_in(8)).then(|| number(random)) }
         }
         27 => match random.below(5) {
             0 => Edit::Application { kind: None },

@@ -2,11 +2,12 @@ use super::*;
 use crate::instant;
 use crate::lab::analyse;
 use levalab_core::{FindingKind, Level};
-use levalab_format::EXAMPLES;
+use levalab_format::{Design, EXAMPLES};
 use serde_json::{Value, json};
 
 fn opened(design: &Value) -> (Current, Option<Current>) {
-    analyse(design, 720).unwrap_or_else(|error| panic!("{error:?} {design}"))
+    let draft = Design::draft(design).unwrap_or_else(|error| panic!("{error:?} {design}"));
+    analyse(draft, 720).unwrap_or_else(|error| panic!("{error:?} {design}"))
 }
 
 fn told(first: &Current, second: Option<&Current>, language: Language) -> Value {
