@@ -71,6 +71,9 @@ export function keepLink({ store, banner, t }, engine, damaged) {
     const read = engine.openLink(pasted);
     if (read.error) return banner.show("banner.link", () => ({ reason: engine.openLink(pasted).error?.message ?? "" }), pasted);
     banner.hide();
+    // What was still to be written belongs to another entry than the one that is in the address now.
+    clearTimeout(timer);
+    timer = 0;
     store.replace(read.design, t("edit.link"));
   }
 

@@ -60,7 +60,11 @@ async function start() {
       else if (speakIn(opened.report?.notation)) store.touch("language");
       return opened;
     },
-    apply: (design, edits) => engine.apply(design, [...edits, ...ownTitle(design, edits)], t("banner.panic")),
+    apply(design, edits) {
+      const read = engine.apply(design, [...edits, ...ownTitle(design, edits)], t("banner.panic"));
+      if (read.error) read.error.message = say(read.error.message);
+      return read;
+    },
     refused(error, design, edits) {
       // A panic is told already.
       if (error.message === t("banner.panic")) return;
