@@ -116,7 +116,7 @@ test("a change at the last moment is in the entry that Back returns to", async (
 test("a table that is too long is refused beside its field, and stays there as it was pasted", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   await page.getByLabel(en("segments.law.of", { number: 1 }), { exact: true }).selectOption("table");
-  const points = page.getByLabel(en("free.points", { number: 1 }), { exact: true });
+  const points = page.getByRole("textbox", { name: en("free.points", { number: 1 }), exact: true });
   const link = await nextFragment(page, LINKS["9RT"]);
   const text = Array.from({ length: 200 }, (_, k) => `${k / 4}\t${k / 20}`).join("\n");
   await points.fill(text);

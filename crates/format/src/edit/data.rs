@@ -103,8 +103,9 @@ pub(super) fn set_end(segment: &mut SegmentDesign, height: f64) -> bool {
     true
 }
 
-/// Multiplies the heights that the data of a segment hold, and the parameters that are heights.
-pub(super) fn scaled_heights(segment: &mut SegmentDesign, factor: f64) {
+/// Multiplies the heights that the data of a segment hold, and the parameters that are heights; a formula by a factor of its own,
+/// since its angles are radians.
+pub(super) fn scaled_heights(segment: &mut SegmentDesign, factor: f64, in_formula: f64) {
     for (value, parameter) in segment.parameters.iter_mut().zip(segment.law.parameters) {
         if parameter.quantity == Quantity::Height {
             *value = clean(*value * factor.abs());
@@ -121,8 +122,8 @@ pub(super) fn scaled_heights(segment: &mut SegmentDesign, factor: f64) {
         Data::Expression(text) => {
             // A length whatever its unit goes with the rise and the starting height.
             if !is_a_length(text) {
-                let inner = renamed(text, |name| format!("({name}/{factor})"));
-                *text = format!("{factor}({inner})");
+                let inner = renamed(text, |name| format!("({name}/{in_formula})"));
+                *text = format!("{in_formula}({inner})");
             }
         }
     }

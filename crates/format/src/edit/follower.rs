@@ -1,9 +1,9 @@
 //! Another follower for the same cam.
 
 use super::data::is_a_length;
-use super::program::{bridge, scale_to};
+use super::program::scale_to;
 use crate::decimal::Decimal;
-use crate::digits::{half_figures, magnitude, rounded_at};
+use crate::digits::{clean, half_figures, magnitude, rounded_at};
 use crate::measure::default_of;
 use crate::{CamKind, Conjugate, Design, DesignError};
 use levalab_core::law::Data;
@@ -99,19 +99,18 @@ fn lever(design: &Design) -> f64 {
     index.map_or(1.0, |index| design.values[index].to_radians())
 }
 
-/// Heights divided by `per_unit`, in two figures of the greatest.
+/// Heights divided by `per_unit`, in two figures of the greatest; with all their digits where a formula leads to one of them.
 fn convert_rises(design: &mut Design, heights: &[Decimal], per_unit: f64) {
     let heights: Vec<f64> = heights.iter().map(|height| height.to_f64() / per_unit).collect();
     let top = heights.iter().fold(0.0_f64, |top, height| top.max(height.abs()));
-    let shrink = if design.is_oscillating() && top > LARGEST_SWING { LARGEST_SWING / top } else { 1.0 };
+    let swings = design.is_oscillating();
+    let shrink = if swings && top > LARGEST_SWING { LARGEST_SWING / top } else { 1.0 };
     let place = if top > 0.0 { magnitude(top * shrink) - 1 } else { -1 };
-    let rounded: Vec<Decimal> =
-        heights.iter().map(|height| Decimal::of(rounded_at(height * shrink, place, f64::round))).collect();
-    for (k, segment) in design.segments.iter_mut().enumerate() {
-        // Any other formula has its lengths, or its radians, within.
-        if matches!(&segment.data, Data::Expression(text) if !is_a_length(text)) {
-            *segment = bridge(segment.beta, (rounded[k + 1] - rounded[k]).to_f64());
-        }
-    }
-    scale_to(design, &rounded, shrink / per_unit);
+    let led =
+        design.segments.iter().any(|segment| matches!(&segment.data, Data::Expression(text) if !is_a_length(text)));
+    let figure = |height: f64| if led { clean(height) } else { rounded_at(height, place, f64::round) };
+    let converted: Vec<Decimal> = heights.iter().map(|height| Decimal::of(figure(height * shrink))).collect();
+    let factor = shrink / per_unit;
+    let in_formulas = if swings { factor.to_radians() } else { factor.to_degrees() };
+    scale_to(design, &converted, factor, in_formulas);
 }

@@ -84,17 +84,17 @@ pub(super) fn scale(design: &mut Design, factor: f64) -> Result<(), DesignError>
     has_own_program(design)?;
     let scaled = |height: Decimal| Decimal::of(clean(height.to_f64() * factor));
     let heights: Vec<Decimal> = design.draft_heights().into_iter().map(scaled).collect();
-    scale_to(design, &heights, factor);
+    scale_to(design, &heights, factor, factor);
     Ok(())
 }
 
 /// Multiplies what lies within the segments, and takes the heights at the borders from a list, so that rounding does not add up.
-pub(super) fn scale_to(design: &mut Design, heights: &[Decimal], factor: f64) {
+pub(super) fn scale_to(design: &mut Design, heights: &[Decimal], factor: f64, in_formulas: f64) {
     for (k, segment) in design.segments.iter_mut().enumerate() {
         if segment.rise != 0.0 {
             segment.rise = (heights[k + 1] - heights[k]).to_f64();
         }
-        scaled_heights(segment, factor);
+        scaled_heights(segment, factor, in_formulas);
         if stated_end(segment).is_some() {
             set_end(segment, heights[k + 1].to_f64());
         }

@@ -269,6 +269,21 @@ fn another_follower_keeps_what_it_can_and_swings_about_as_far_as_it_rose() {
 }
 
 #[test]
+fn a_formula_stays_the_same_motion_when_the_follower_swings() {
+    let formula = made(&nine(), Edit::Law { segment: 0, law: law("formula") });
+    let constant = made(&formula, Edit::Formula { segment: 0, text: "10x^3(10 − 15x + 6x²)".to_owned() });
+    let swings =
+        made(&constant, Edit::Follower { kind: FollowerKind::by_id("oscillating-roller").expect("a follower") });
+    assert!(is_closed(&swings), "{:?}", swings.outline());
+    let [before, after] = [&constant, &swings].map(|design| design.cam().expect("a cam").program);
+    let lever = 65.0;
+    for k in 0..60 {
+        let theta = f64::from(k) / 10.0;
+        assert!((before.at(theta).s - lever * after.at(theta).s).abs() < 1e-9, "θ = {theta}");
+    }
+}
+
+#[test]
 fn any_follower_and_any_kind_leave_a_good_program_closed() {
     let mut random = Random::new(8);
     let (mut cams, mut all) = (0, 0);
