@@ -15,6 +15,9 @@
 //! # Ok::<(), levalab_format::DesignError>(())
 //! ```
 //!
+//! A change of a design is an [`Edit`]; [`apply`] makes it, whether or not the design makes a cam on the way
+//! ([`Design::edited`] asks for one, and [`Design::outline`] says what is still missing). `docs/edits.md` lists the edits.
+//!
 //! Both formats are versioned, and every version ever published keeps opening. Laws and followers are those that the core
 //! lists; the only thing to add here for a new one is its letter in the link ([`link::LAW_CODES`]).
 //!
