@@ -3,10 +3,9 @@
  * beneath them.
  *
  * @import { FreeEditor } from "./free-parts.js"
- * @import { Condition, Design, LawEntry, ShellContext, State } from "./types.d.ts"
+ * @import { Design, LawEntry, ShellContext, State } from "./types.d.ts"
  * @import { NumberField } from "./number-field.js"
  */
-import { clean } from "./clean.js";
 import { h, symbol, write, writeAttribute } from "./dom.js";
 import { assemble } from "./free-parts.js";
 import { KNOTS } from "./free-text.js";
@@ -70,30 +69,6 @@ export function createConditionTable(context, { id, index }, law) {
    */
   const find = (design, at, order) => conditionsOf(design).findIndex((condition) => condition.at === at && condition.order === order);
 
-  /**
-   * Puts a value in its place in the list: sorted, so that the same table is always the same design.
-   * @param {Design} draft
-   * @param {number} at
-   * @param {number} order
-   * @param {number} value
-   */
-  function put(draft, at, order, value) {
-    const list = conditionsOf(draft);
-    const known = list[find(draft, at, order)];
-    if (known) known.value = value;
-    else list.push({ at, order, value });
-    list.sort((a, b) => a.at - b.at || a.order - b.order);
-  }
-
-  /**
-   * @param {Design} draft
-   * @param {(condition: Condition) => boolean} goes
-   */
-  function drop(draft, goes) {
-    const segment = segmentOf(draft);
-    if (segment?.conditions) segment.conditions = segment.conditions.filter((condition) => !goes(condition));
-  }
-
   /** @param {number} at */
   function createRow(at) {
     const rowId = `${id}-condition-${++made}`;
@@ -104,9 +79,10 @@ export function createConditionTable(context, { id, index }, law) {
       name: () => t("conditions.at", where()),
       unit: () => "°",
       read: () => row.at,
-      write: (draft, value) => {
-        for (const condition of conditionsOf(draft)) if (condition.at === row.at) condition.at = value;
+      write: (value) => {
+        const from = row.at;
         row.at = value;
+        return [{ op: "move-conditions", segment: index(), from, to: value }];
       },
       step: () => 1,
       path: () => `segments[${index()}].conditions[${conditionsOf(store.state.design).findIndex((condition) => condition.at === row.at)}].at`,
@@ -119,8 +95,8 @@ export function createConditionTable(context, { id, index }, law) {
         name: () => t("conditions.value", { sign, ...where() }),
         unit: () => "",
         read: (design) => conditionsOf(design)[find(design, row.at, order)]?.value,
-        write: (draft, value) => put(draft, row.at, order, value),
-        clear: (draft) => drop(draft, (condition) => condition.at === row.at && condition.order === order),
+        write: (value) => [{ op: "condition", segment: index(), at: row.at, order, value }],
+        clear: () => [{ op: "drop-conditions", segment: index(), at: row.at, order }],
         step: (design) => (order > 0 ? ownStep(conditionsOf(design)[find(design, row.at, order)]?.value ?? 0) : design.follower.motion === "oscillating" ? 1 : lengthStep(design)),
         path: () => `segments[${index()}].conditions[${find(store.state.design, row.at, order)}].value`,
         highlight,
@@ -143,7 +119,7 @@ export function createConditionTable(context, { id, index }, law) {
       const next = rows.indexOf(row);
       rows = rows.filter((other) => other !== row);
       row.root.remove();
-      store.edit(t("edit.condition"), (draft) => drop(draft, (condition) => condition.at === row.at));
+      store.edit(t("edit.condition"), [{ op: "drop-conditions", segment: index(), at: row.at }]);
       (rows[next] ?? rows.at(-1))?.cells[0]?.input.focus();
     });
     for (const field of [place, ...cells]) field.speak();
@@ -155,8 +131,8 @@ export function createConditionTable(context, { id, index }, law) {
     const segment = segmentOf(store.state.design);
     const limits = [...lab().limits(index() + (row.at === 0 ? 0 : 1))];
     if (limits.length === 0) return null;
-    if (row.at === 0) return limits.slice(BEFORE, AFTER).map(clean);
-    return row.at === segment?.beta ? limits.slice(AFTER).map(clean) : null;
+    if (row.at === 0) return limits.slice(BEFORE, AFTER);
+    return row.at === segment?.beta ? limits.slice(AFTER) : null;
   }
 
   /**
@@ -168,24 +144,14 @@ export function createConditionTable(context, { id, index }, law) {
     if (!values) return;
     const { design } = store.state;
     const met = values.slice(0, 3).every((value, order) => same(conditionsOf(design)[find(design, row.at, order)]?.value ?? NaN, value));
-    store.edit(t("edit.condition"), (draft) => {
-      values.slice(0, met ? 4 : 3).forEach((value, order) => put(draft, row.at, order, value));
-    });
+    store.edit(t("edit.condition"), values.slice(0, met ? 4 : 3).map((value, order) => ({ op: "condition", segment: index(), at: row.at, order, value })));
   }
 
-  /** A place in the middle of the widest gap, at the height that the curve has there. */
   add.addEventListener("click", () => {
-    const segment = segmentOf(store.state.design);
-    if (!segment) return;
-    const places = [...new Set([0, ...rows.map(({ at }) => at), segment.beta])].sort((a, b) => a - b);
-    const widest = places.slice(1).reduce((best, at, k) => (at - (places[k] ?? 0) > (places[best + 1] ?? 0) - (places[best] ?? 0) ? k : best), 0);
-    const at = clean(((places[widest] ?? 0) + (places[widest + 1] ?? 0)) / 2);
-    const out = new Float64Array(32);
-    lab().at((store.state.report.borders[index()] ?? 0) + at, out);
-    const height = Number((out[0] ?? 0).toPrecision(4));
-    store.edit(t("edit.condition"), (draft) => put(draft, at, 0, height));
+    const known = rows.map(({ at }) => at);
+    store.edit(t("edit.condition"), [{ op: "add-condition", segment: index() }]);
     editor.update(store.state);
-    rows.find((row) => row.at === at)?.cells[0]?.input.focus();
+    rows.find(({ at }) => !known.includes(at))?.cells[0]?.input.focus();
   });
 
   /** @param {Readonly<State>} state */

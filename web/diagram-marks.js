@@ -6,10 +6,10 @@
  * @import { Row } from "./stage/overlay.js"
  * @import { ShellContext } from "./types.d.ts"
  */
-import { clean } from "./clean.js";
 import { h, s } from "./dom.js";
 import { marksOf } from "./marks.js";
 import { heightStep } from "./number-field.js";
+import { sum } from "./numbers.js";
 import { stepped, valueAt } from "./hand.js";
 import { factor } from "./scrub.js";
 import { atTheta, atValue } from "./stage/overlay.js";
@@ -64,10 +64,7 @@ export function createMarks(plots, context) {
   function put({ mark }, value, gesture) {
     const { segment, item } = mark;
     if (store.state.design.segments[segment]?.ordinates?.[item] === value) return;
-    store.edit(t("edit.ordinates"), (draft) => {
-      const list = draft.segments[segment]?.ordinates;
-      if (list) list[item] = value;
-    }, { gesture });
+    store.edit(t("edit.ordinates"), [{ path: ["segments", segment, "ordinates", item], value }], { gesture });
   }
 
   /** @returns {Handle} */
@@ -99,7 +96,7 @@ export function createMarks(plots, context) {
       if (!way || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
       event.stopPropagation();
-      put(handle, clean(handle.mark.height + way * heightStep(store.state.design) * factor(event)), `ordinate:${handle.mark.segment}.${handle.mark.item}`);
+      put(handle, sum(handle.mark.height, way * heightStep(store.state.design) * factor(event)), `ordinate:${handle.mark.segment}.${handle.mark.item}`);
     });
     button.addEventListener("blur", () => store.endGesture());
     button.addEventListener("focus", () => store.set({ highlight: { segment: handle.mark.segment } }));

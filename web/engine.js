@@ -1,7 +1,7 @@
 /**
  * The calculation of the main screen: a WebAssembly module, started again from what was loaded should it ever panic.
  *
- * @import { Design, Lab, Language, Opened, Read, TieKey } from "./types.d.ts"
+ * @import { Design, Edit, Lab, Language, Opened, Read, TieKey } from "./types.d.ts"
  */
 import { compiled, glue } from "./module.js";
 import { forgetWorkshop } from "./workshop.js";
@@ -111,10 +111,18 @@ export async function startEngine({ language, restarted }) {
      * @returns {Opened}
      */
     analyse(design, without) {
-      const opened = guarded(() => lab.open(design, SAMPLES, language()), null) ?? { error: { path: "", message: without() } };
+      const opened = guarded(() => lab.open(design, SAMPLES, language()), null) ?? { error: { path: "", message: without() }, outline: null };
       if (opened.report) good = design;
       return opened;
     },
+
+    /**
+     * @param {Design} design
+     * @param {Edit[]} edits
+     * @param {string} without  what to say when the calculation fails
+     * @returns {Read}
+     */
+    apply: (design, edits, without) => guarded(() => module.edit(design, edits, language()), unread(without)),
 
     /**
      * @param {Readonly<Design>} design

@@ -1,7 +1,7 @@
 /**
  * Opening and saving design files.
  *
- * @import { Design, Read, ShellContext } from "./types.d.ts"
+ * @import { Design, Edit, Read, ShellContext } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
 import { h } from "./dom.js";
@@ -12,7 +12,7 @@ import { isSingleFile } from "./packed.js";
 /** Bytes of a file that are looked at: one more than a design file may have, so that a larger one is seen to be. */
 const LARGEST = 2 ** 20 + 1;
 
-/** @typedef {{ openFile: (bytes: Uint8Array, without: string) => Read, saveFile: (design: Design) => string, check: (design: unknown) => Read }} FileEngine */
+/** @typedef {{ openFile: (bytes: Uint8Array, without: string) => Read, saveFile: (design: Design) => string, apply: (design: Design, edits: Edit[], without: string) => Read, check: (design: unknown) => Read }} FileEngine */
 
 /**
  * Opens a design file that somebody chose or dropped, or tells why not.
@@ -47,8 +47,9 @@ export function opener({ store, t, banner }, { openFile }) {
  * @param {FileEngine} engine
  */
 export function createFiles(context, texts, engine) {
-  const { store } = context;
+  const { store, t, banner } = context;
   const chooser = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: "-1", "aria-hidden": "true" });
+  const fresh = texts.text(h("button", { type: "button" }), "header.new");
   const open = texts.text(h("button", { type: "button" }), "header.open");
   const save = texts.text(h("button", { type: "button" }), "header.save");
   const recent = texts.text(h("button", { type: "button", "aria-haspopup": "dialog" }), "header.recent");
@@ -56,7 +57,7 @@ export function createFiles(context, texts, engine) {
   const paper = texts.text(h("button", { type: "button", "aria-haspopup": "dialog", "aria-keyshortcuts": "Control+P" }), "header.print");
   const symbols = texts.text(h("button", { type: "button", "aria-haspopup": "menu" }), "header.notation");
   // A page on disk may load nothing: there only the command line writes other files.
-  const menu = createMenu("files-menu", [open, recent, save, ...(isSingleFile() ? [] : [exports]), paper, symbols]);
+  const menu = createMenu("files-menu", [fresh, open, recent, save, ...(isSingleFile() ? [] : [exports]), paper, symbols]);
   const openFile = opener(context, engine);
   /** @type {(() => unknown) | undefined} */
   let recentDialog;
@@ -69,6 +70,12 @@ export function createFiles(context, texts, engine) {
   const files = texts.text(h("button", { type: "button", class: "quiet drop", "aria-haspopup": "menu" }), "header.files");
 
   files.addEventListener("click", () => menu.open(files));
+  fresh.addEventListener("click", () => {
+    const { design } = engine.apply(store.lastGood(), [{ op: "new" }], t("banner.panic"));
+    if (!design) return;
+    banner.hide();
+    store.replace(design, t("edit.new"));
+  });
   open.addEventListener("click", () => chooser.click());
   chooser.addEventListener("change", () => {
     const [file] = chooser.files ?? [];

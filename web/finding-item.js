@@ -5,7 +5,6 @@
  * @import { Cure, Finding, ShellContext, State } from "./types.d.ts"
  */
 import { h, write } from "./dom.js";
-import { applyEdits } from "./program.js";
 import { placeIn, placeText } from "./stage/place.js";
 
 /**
@@ -73,7 +72,7 @@ export function createFindingItem({ store, t, format }, cured) {
   function cure(index) {
     const edits = remedies[index]?.edits;
     if (!edits) return;
-    store.edit(t("edit.cure"), (draft) => applyEdits(draft, edits));
+    store.edit(t("edit.cure"), edits);
     cured();
   }
 

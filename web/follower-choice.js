@@ -5,7 +5,6 @@
  * @import { Texts } from "./texts.js"
  */
 import { h, write } from "./dom.js";
-import { changeFollower, keepPair } from "./follower-change.js";
 import { followerDrawing } from "./follower-drawings.js";
 import { mark } from "./help-mark.js";
 
@@ -13,14 +12,14 @@ import { mark } from "./help-mark.js";
  * @param {ShellContext} context
  * @param {Texts} texts
  */
-export function createFollowerChoice({ store, catalogue, t, room }, texts) {
+export function createFollowerChoice({ store, catalogue, t }, texts) {
   const chosen = h("span", { class: "aside" });
   const radios = catalogue.followers.map((entry) => {
     const input = h("input", { type: "radio", name: "follower", value: entry.id, class: "unseen" });
-    input.addEventListener("change", () => store.edit(t("edit.follower"), (draft) => {
-      changeFollower(draft, entry);
-      keepPair(draft, room);
-    }));
+    input.addEventListener("change", () => {
+      store.edit(t("edit.follower"), [{ op: "follower", follower: entry.id }]);
+      update();
+    });
     const label = h("label", { class: "follower" }, input, followerDrawing(entry.id));
     texts.also(() => {
       label.title = t(`follower.${entry.id}`);

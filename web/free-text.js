@@ -5,9 +5,7 @@
  * @import { ShellContext, State } from "./types.d.ts"
  * @import { Kind } from "./text-field.js"
  */
-import { clean } from "./clean.js";
 import { h, symbol, write } from "./dom.js";
-import { setBeta } from "./free-data.js";
 import { assemble } from "./free-parts.js";
 import { marksOf } from "./marks.js";
 import { createMeasured } from "./measured.js";
@@ -22,11 +20,8 @@ const FORMULA = {
   radians: true,
   write: ({ expression }) => expression ?? "",
   read: (text) => ({ data: text }),
-  adopt(segment, data, { report: { heights } }, index) {
-    // Only a formula that names L has a rise to be told.
-    if (!/L/.test(String(data))) delete segment.rise;
-    else segment.rise ??= clean((heights[index + 1] ?? 0) - (heights[index] ?? 0));
-  },
+  // Its rise may come or go with it.
+  edits: (data, segment) => [{ op: "formula", segment, text: String(data) }],
 };
 
 /** @type {Kind} */
@@ -107,12 +102,9 @@ export function createTableField(context, place) {
   field.root.append(measured.panel, span, ...measured.opener, residuals);
 
   span.addEventListener("click", () => {
-    store.edit(t("edit.points"), (draft) => {
-      const segment = draft.segments[index()];
-      const last = segment?.points?.at(-1)?.[0];
-      // The points stay where they are, and the segment goes as far as they do.
-      if (segment && last) setBeta(Object.assign(segment, { beta: last }), last);
-    });
+    const last = store.state.design.segments[index()]?.points?.at(-1)?.[0];
+    // The points stay where they are, and the segment goes as far as they do.
+    if (last) store.edit(t("edit.points"), [{ path: ["segments", index(), "beta"], value: last }]);
     field.input.focus();
   });
 

@@ -58,7 +58,7 @@ export function createGeometry(context, texts) {
     name: () => t("parameter.speed"),
     unit: () => "",
     read: (design) => design.speed.value,
-    write: (draft, value) => (draft.speed.value = value),
+    write: (value) => [{ path: ["speed", "value"], value }],
     step: (design) => ownStep(design.speed.value),
     path: () => "speed.value",
     highlight: () => ({ parameter: "speed" }),
@@ -69,7 +69,7 @@ export function createGeometry(context, texts) {
     name: () => t("parameter.pace"),
     unit: () => store.state.design.speed.unit,
     read: (design) => design.speed.value,
-    write: (draft, value) => (draft.speed.value = value),
+    write: (value) => [{ path: ["speed", "value"], value }],
     step: (design) => ownStep(design.speed.value),
     path: () => "speed.value",
     highlight: () => ({ parameter: "speed" }),
@@ -78,7 +78,7 @@ export function createGeometry(context, texts) {
   const lengthUnit = unitSelect("field-length-unit", catalogue.length_units);
   const rotation = select("field-rotation", ROTATIONS);
   rotation.addEventListener("change", () => {
-    store.edit(t("edit.rotation"), (draft) => (draft.cam.rotation = /** @type {Rotation} */ (rotation.value)));
+    store.edit(t("edit.rotation"), [{ path: ["cam", "rotation"], value: rotation.value }]);
   });
 
   /**
@@ -115,7 +115,7 @@ export function createGeometry(context, texts) {
         const value = home(design)[key];
         return typeof value === "number" ? value * turned() + 0 : 0;
       },
-      write: (draft, value) => (home(draft)[key] = value * turned() + 0),
+      write: (value) => [{ path: [OF_THE_CAM.includes(key) ? "cam" : "follower", key], value: value * turned() + 0 }],
       step: (design) => (quantity === "length" ? lengthStep(design) : quantity === "angle" ? 1 : 0.05),
       path: () => `${OF_THE_CAM.includes(key) ? "cam" : "follower"}.${key}`,
       highlight: () => ({ parameter: key }),

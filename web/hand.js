@@ -3,7 +3,7 @@
  *
  * @import { Row } from "./stage/overlay.js"
  */
-import { clean } from "./clean.js";
+import { exact } from "./numbers.js";
 
 /** Pixels that a hand tells apart: a step is not finer than that, so that round numbers are easily hit. */
 const APART = 4;
@@ -22,7 +22,7 @@ export const valueAt = ({ area, y }, py) => area.y_max - ((py - y - area.top) / 
  * @param {number} value
  * @param {number} step
  */
-export const stepped = (value, step) => clean(Math.round(value / step) * step);
+export const stepped = (value, step) => exact(Math.round(value / step) * step);
 
 /**
  * Steps of θ and of heights that are easy to hit on a diagram.
@@ -39,5 +39,5 @@ export function steps({ area }) {
  */
 export function round(least) {
   const power = 10 ** Math.floor(Math.log10(least));
-  return clean(power * ([1, 2, 5].find((digit) => digit * power >= least * (1 - 1e-9)) ?? 10));
+  return exact(power * ([1, 2, 5].find((digit) => digit * power >= least * (1 - 1e-9)) ?? 10));
 }

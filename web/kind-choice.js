@@ -1,12 +1,11 @@
 /**
  * The choice of the kind of cam, and the parts of the panel that only some kinds need, made when the first such cam is met.
  *
- * @import { KindId, ShellContext } from "./types.d.ts"
+ * @import { Design, KindId, ShellContext } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
 import { h, hide } from "./dom.js";
 import { mark } from "./help-mark.js";
-import { changeKind } from "./kind-change.js";
 import { createBreadthPanel } from "./kind-panel/breadth.js";
 import { createPairPanel } from "./kind-panel/pair.js";
 
@@ -27,11 +26,26 @@ export function createKindChoice(context, texts) {
   const parts = { breadth: null, pair: null };
 
   select.addEventListener("change", () => {
-    const kind = /** @type {KindId} */ (select.value);
-    const { program } = store.state.report;
-    store.edit(t("edit.kind"), (draft) => changeKind(draft, kind, catalogue, program));
+    change(/** @type {KindId} */ (select.value));
+    // A kind that was refused does not stay chosen.
+    update();
   });
   pair.addEventListener("click", () => show("pair").add?.());
+
+  /** The designs of the kinds that were left, and what the next kind made of each: the way back gives what was not changed since. @type {Map<KindId, { before: Design, after: Design }>} */
+  const left = new Map();
+  let origin = store.origin();
+
+  /** @param {KindId} kind */
+  function change(kind) {
+    if (store.origin() !== origin) left.clear();
+    origin = store.origin();
+    const before = store.state.design;
+    if (store.edit(t("edit.kind"), [{ op: "kind", kind, ...left.get(kind) }])) return;
+    const after = store.state.design;
+    for (const other of left.values()) if (JSON.stringify(other.after) === JSON.stringify(before)) other.after = after;
+    left.set(before.cam.kind, { before, after });
+  }
 
   /** @param {"breadth" | "pair"} name */
   function show(name) {

@@ -15,6 +15,9 @@ const PAUSE = 350;
  */
 export function keepLink({ store, banner, t }, engine, { damaged, arrived = "" }) {
   let written = fragment();
+  /** The link of the report that was seen last, and the newest design that has its own entry among the browser's pages. */
+  let seen = store.state.report.link;
+  let entered = store.origin();
   const begun = damaged === undefined ? null : store.state.report;
   const cameAsQuery = () => arrived !== "" && location.search === arrived;
   let tooLong = false;
@@ -31,22 +34,37 @@ export function keepLink({ store, banner, t }, engine, { damaged, arrived = "" }
     keep("design", { design, fragment: fragment() }, "sessionStorage");
   }
 
-  /** @param {string} link  empty for a design that fits no link */
-  function point(link) {
+  /**
+   * @param {string} link  empty for a design that fits no link
+   * @param {"replaceState" | "pushState"} [how]
+   */
+  function point(link, how = "replaceState") {
     written = link;
     if (link === fragment() && !cameAsQuery()) return;
     lastWrite = performance.now();
     const query = cameAsQuery() ? "" : location.search;
     try {
-      history.replaceState(null, "", location.pathname + query + (link === "" ? "" : `#${link}`));
+      history[how](null, "", location.pathname + query + (link === "" ? "" : `#${link}`));
     } catch {
       // A sandboxed frame may not touch its address, and a file may not lose its query; the button still copies the link.
     }
   }
 
+  /** A design that was opened has an entry of its own: Back leads to the one before, as it was left. */
+  function enter() {
+    if (timer && seen !== "") point(seen);
+    clearTimeout(timer);
+    timer = 0;
+    entered = store.origin();
+    point(store.state.report.link, "pushState");
+    write();
+  }
+
   function schedule() {
+    if (store.origin() > entered) enter();
+    seen = store.state.report.link;
     if (store.state.report === begun) return;
-    const long = store.state.report.link === "";
+    const long = seen === "";
     if (long && !tooLong) {
       // Another cam must not stay in the address.
       clearTimeout(timer);
@@ -63,6 +81,9 @@ export function keepLink({ store, banner, t }, engine, { damaged, arrived = "" }
     const read = engine.openLink(location.href);
     if (read.error) return banner.show("banner.link", () => ({ reason: engine.openLink(`#${pasted}`).error?.message ?? "" }), pasted);
     banner.hide();
+    // What was still to be written belongs to another entry than the one that is in the address now.
+    clearTimeout(timer);
+    timer = 0;
     if (read.design) store.replace(read.design, t("edit.link"));
   }
 

@@ -1,7 +1,7 @@
 /**
  * Puts the page together: engine, first design, modules, keys.
  *
- * @import { ShellContext } from "./types.d.ts"
+ * @import { Design, Edit, ShellContext } from "./types.d.ts"
  */
 import { begin } from "./afterwards.js";
 import * as appearance from "./appearance.js";
@@ -18,7 +18,7 @@ import { connectNumbers, createFormat } from "./numbers.js";
 import { yieldPoster } from "./poster.js";
 import * as readouts from "./readouts.js";
 import { whenIdle } from "./rest.js";
-import { retitled, shelve } from "./shelf.js";
+import { isBrought, retitled, shelve } from "./shelf.js";
 import { say, speakIn } from "./signs.js";
 import { store } from "./store.js";
 import { createTranslate, learn, learned } from "./strings/index.js";
@@ -60,6 +60,17 @@ async function start() {
       if (opened.error) opened.error.message = say(opened.error.message);
       else if (speakIn(opened.report?.notation)) store.touch("language");
       return opened;
+    },
+    apply(design, edits) {
+      const read = engine.apply(design, [...edits, ...ownTitle(design, edits)], t("banner.panic"));
+      if (read.error) read.error.message = say(read.error.message);
+      return read;
+    },
+    refused(error, design, edits) {
+      // A panic is told already.
+      if (error.message === t("banner.panic")) return;
+      const reason = () => engine.apply(design, edits, t("banner.panic")).error?.message ?? "";
+      banner.show("banner.edit", () => ({ reason: say(reason()) }));
     },
     failed(error) {
       if (!engine.failed(error)) throw error;
@@ -103,6 +114,17 @@ async function start() {
   performance.mark("levalab:drawn");
   element("late").remove();
   whenIdle(() => begin(context, engine));
+}
+
+/**
+ * What was brought along goes by its name until it is changed: then it is another design, without a title.
+ * @param {Design} design
+ * @param {Edit[]} edits
+ * @returns {Edit[]}
+ */
+function ownTitle(design, edits) {
+  const titled = edits.some((edit) => "path" in edit && edit.path[0] === "title");
+  return !titled && isBrought(design) ? [{ path: ["title"], value: "" }] : [];
 }
 
 /** @param {boolean} hopeless */

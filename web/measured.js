@@ -127,10 +127,9 @@ export function createMeasured(context, { id, index }, left) {
   take.addEventListener("click", () => {
     if (!found || found.error) return;
     const { points } = found;
-    store.edit(t("edit.measured"), (draft) => {
-      const segment = draft.segments[index()];
-      if (segment) adopt(segment, points);
-    });
+    /** @param {string} field @param {unknown} value */
+    const set = (field, value) => ({ path: ["segments", index(), field], value });
+    store.edit(t("edit.measured"), [set("points", points), set("beta", points.at(-1)?.[0]), set("smoothing", 0)]);
     announce(status.textContent ?? "");
     done();
   });
@@ -203,15 +202,4 @@ export function createMeasured(context, { id, index }, left) {
       refresh();
     },
   };
-}
-
-/**
- * Makes a segment the table of the points, as long as they are, through all of them.
- * @param {Segment} segment
- * @param {[number, number][]} points
- */
-function adopt(segment, points) {
-  segment.points = points;
-  segment.beta = points.at(-1)?.[0] ?? segment.beta;
-  segment["smoothing"] = 0;
 }

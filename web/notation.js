@@ -20,10 +20,7 @@ export function createNotationMenu({ store, t }) {
     const button = h("button", { type: "button" });
     button.addEventListener("click", () => {
       if (word === (store.state.design.notation ?? "levalab")) return;
-      store.edit(t("edit.notation"), (draft) => {
-        if (word === "levalab") delete draft.notation;
-        else draft.notation = word;
-      });
+      store.edit(t("edit.notation"), [{ path: ["notation"], value: word }]);
     });
     return button;
   });

@@ -1,11 +1,10 @@
 /**
  * A number of the design: label, field, unit, and what is wrong with it told beneath.
  *
- * @import { Design, ShellContext, State } from "./types.d.ts"
+ * @import { Design, Edit, ShellContext, State } from "./types.d.ts"
  */
-import { clean } from "./clean.js";
 import { h, hide, write as writeText } from "./dom.js";
-import { CUT, fieldText, parseNumber, restingText } from "./numbers.js";
+import { CUT, fieldText, parseNumber, restingText, sum } from "./numbers.js";
 import { notePending } from "./pending.js";
 import { factor, scrub } from "./scrub.js";
 
@@ -20,8 +19,8 @@ const ROOM = 7;
  * @property {Node} [label]             what is seen before the field; without it `name` is only heard
  * @property {() => string} unit
  * @property {(design: Readonly<Design>) => number | undefined} read
- * @property {(draft: Design, value: number) => void} write
- * @property {(draft: Design) => void} [clear]  makes nothing of it: then the field may be left empty
+ * @property {(value: number) => Edit[]} write
+ * @property {() => Edit[]} [clear]     makes nothing of it: then the field may be left empty
  * @property {(design: Readonly<Design>) => number} step
  * @property {() => string} path        where the engine's errors point
  * @property {() => import("./types.d.ts").Highlight} highlight
@@ -44,6 +43,8 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   let shown;
   /** What was typed and could not be read. @type {string | null} */
   let pending = null;
+  /** Why the number was not taken. @type {import("./types.d.ts").DesignError | null} */
+  let refusal = null;
   /** @type {number | undefined} */
   let before;
   let session = "";
@@ -71,8 +72,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
    * @param {string} gesture
    */
   function change(value, gesture) {
-    if (value === current()) return;
-    store.edit(t("edit.field", { name: name() }), (draft) => write(draft, value), { gesture });
+    refusal = value === current() ? null : store.edit(t("edit.field", { name: name() }), write(value), { gesture, told: true });
   }
 
   let told = "";
@@ -96,7 +96,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   function empty(gesture) {
     pending = null;
     shown = undefined;
-    if (clear && current() !== undefined) store.edit(t("edit.field", { name: name() }), clear, { gesture });
+    refusal = clear && current() !== undefined ? store.edit(t("edit.field", { name: name() }), clear(), { gesture, told: true }) : null;
     update(store.state);
   }
 
@@ -107,6 +107,8 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     if (value !== undefined) {
       shown = value;
       change(value, session);
+      // What was refused stays as it was typed, and the design as it was.
+      if (refusal) shown = current();
     }
     update(store.state);
   }
@@ -119,13 +121,13 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
       if (value === undefined) return;
       const by = step(store.state.design) * factor(event) * (event.key === "ArrowUp" ? 1 : -1);
       pending = null;
-      change(clean(value + by), session);
-      show(clean(value + by));
+      change(sum(value, by), session);
+      show(sum(value, by));
       update(store.state);
-    } else if (event.key === "Escape" && (pending !== null || current() !== before)) {
+    } else if (event.key === "Escape" && (pending !== null || refusal || current() !== before)) {
       event.preventDefault();
       event.stopPropagation();
-      pending = null;
+      pending = refusal = null;
       store.cancel(session);
       rest();
       begin();
@@ -139,7 +141,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   /** The field at rest shows its number in the usual form; what could not be read stays as it was typed. */
   function rest() {
     const value = current();
-    if (pending === null && value !== undefined) show(value);
+    if (pending === null && !refusal && value !== undefined) show(value);
     store.endGesture();
     update(store.state);
   }
@@ -175,15 +177,15 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   function update(state) {
     const value = read(state.design);
     if (value === undefined) {
-      if (!clear || pending !== null) return;
+      if (!clear || pending !== null || refusal) return;
       if (shown !== undefined) input.value = input.title = "";
       shown = undefined;
     } else if (value !== shown) {
-      pending = null;
+      pending = refusal = null;
       show(value);
     }
     const wrong = state.error !== null && state.error.path === path() ? state.error.message : null;
-    tell(pending === null ? wrong : (parseNumber(pending, unit(), state.language).problem ?? null));
+    tell(pending === null ? (refusal?.message ?? wrong) : (parseNumber(pending, unit(), state.language).problem ?? null));
   }
 
   return {
@@ -210,7 +212,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 
     /** Forgets what could not be read. */
     reset() {
-      pending = null;
+      pending = refusal = null;
       shown = undefined;
       update(store.state);
     },

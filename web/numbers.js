@@ -8,6 +8,9 @@
 
 const NOTHING = "–";
 
+/** Digits that a number keeps: beyond them lies the noise of a sum. */
+const EXACT = 12;
+
 /** What stands for the figures of a field at rest that are cut off. */
 export const CUT = "…";
 
@@ -32,6 +35,22 @@ export function connectNumbers(module) {
  * @returns {NumberReading}
  */
 export const parseNumber = (text, unit = "", language = "en") => calculation().read_number(text, unit, language);
+
+/**
+ * A number without the noise that sums of typed decimals carry.
+ * @param {number} value
+ */
+export const exact = (value) => Number(value.toPrecision(EXACT)) + 0;
+
+/**
+ * A sum of decimals as it is on paper.
+ * @param {number} one
+ * @param {number} other
+ */
+export function sum(one, other) {
+  const total = one + other;
+  return Math.abs(total) < Math.max(Math.abs(one), Math.abs(other)) * 10 ** -EXACT ? 0 : exact(total);
+}
 
 /**
  * A number for a field that is being edited: no groups, nothing lost.

@@ -1,5 +1,5 @@
 /** Dragging a label sideways changes its number. */
-import { clean } from "./clean.js";
+import { sum } from "./numbers.js";
 
 /** Pixels of drag a step; less than `SLACK` is a click. */
 const PIXELS = 4;
@@ -34,7 +34,7 @@ export function scrub(handle, { value, step, change, cancel, end }) {
       steps += ((event.clientX - last) / PIXELS) * factor(event);
       last = event.clientX;
       const unit = step() * Math.min(1, factor(event));
-      change(clean(start + Math.round((steps * step()) / unit) * unit), gesture);
+      change(sum(start, Math.round((steps * step()) / unit) * unit), gesture);
     }
 
     /** @param {KeyboardEvent} event */

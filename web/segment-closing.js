@@ -1,11 +1,10 @@
 /**
  * The line under the segments: whether the program closes, and if not, the ways to close it in one click.
  *
- * @import { Design, ShellContext } from "./types.d.ts"
+ * @import { Completion, Design, ShellContext } from "./types.d.ts"
  * @import { Texts } from "./texts.js"
  */
 import { h, write } from "./dom.js";
-import * as program from "./program.js";
 import { riseUnit, strideUnit } from "./segment-row.js";
 
 /**
@@ -23,13 +22,13 @@ export function createClosing({ store, t, format }, texts, add, auto) {
   /**
    * @param {string} key
    * @param {string} label
-   * @param {(draft: Design) => void} fn
+   * @param {Completion} op
    */
-  function fix(key, label, fn) {
+  function fix(key, label, op) {
     const button = texts.text(h("button", { type: "button", hidden: true }), key);
     button.addEventListener("click", () => {
       const next = [...fixes.children].indexOf(button);
-      store.edit(t(label), fn);
+      store.edit(t(label), [{ op }]);
       update();
       const other = [...fixes.querySelectorAll("button")].find((candidate) => !candidate.hidden);
       if (next >= 0 && button.hidden) (other ?? add).focus();
@@ -38,32 +37,29 @@ export function createClosing({ store, t, format }, texts, add, auto) {
     return button;
   }
 
-  const fillReturn = fix("segments.fill.return", "edit.close", program.fillWithReturn);
-  const fill = fix("segments.fill", "edit.fill", program.fillWithDwell);
-  const stretch = fix("segments.stretch", "edit.fill", program.stretchLast);
-  const shorten = fix("segments.shorten", "edit.fill", program.stretchLast);
-  const spread = texts.attribute(fix("segments.spread", "edit.spread", program.spread), "title", "segments.spread.hint");
-  const close = fix("segments.close", "edit.close", program.closeWithLastMove);
+  const fillReturn = fix("segments.fill.return", "edit.close", "fill-with-return");
+  const fill = fix("segments.fill", "edit.fill", "fill-with-dwell");
+  const stretch = fix("segments.stretch", "edit.fill", "stretch-last");
+  const shorten = fix("segments.shorten", "edit.fill", "stretch-last");
+  const spread = texts.attribute(fix("segments.spread", "edit.spread", "spread"), "title", "segments.spread.hint");
+  const close = fix("segments.close", "edit.close", "close");
 
   let shown = "";
 
   function update() {
-    const { design, error, language } = store.state;
-    const left = program.degreesLeft(design);
-    const whole = format.number(program.wholeOf(design), { unit: strideUnit(design) });
-    // Where a formula ends, the engine knows: what it accepts is closed.
-    const byEngine = error === null && design.segments.some(({ expression }) => expression !== undefined);
-    const height = byEngine ? 0 : program.openHeight(design);
+    const { design, error, language, outline } = store.state;
+    const { left, open: height, stretches, closes } = outline;
+    const whole = format.number(outline.whole, { unit: strideUnit(design) });
     const own = error?.path === "segments" && left === 0 && height === 0 ? error.message : "";
-    const state = [left, height, whole, riseUnit(design), language, own, program.canStretchLast(design)].join();
+    const state = [left, height, whole, riseUnit(design), language, own, stretches, closes].join();
     if (state === shown) return;
     shown = state;
     fillReturn.hidden = !(left > 0 && height !== 0);
     fill.hidden = !(left > 0 && height === 0);
     stretch.hidden = !(left > 0);
-    shorten.hidden = !(left < 0 && program.canStretchLast(design));
-    spread.hidden = left === 0 || left >= program.wholeOf(design);
-    close.hidden = !(height !== 0 && left <= 0 && program.lastMove(design) >= 0);
+    shorten.hidden = !(left < 0 && stretches);
+    spread.hidden = left === 0 || left >= outline.whole;
+    close.hidden = !(height !== 0 && left <= 0 && closes);
     fixes.hidden = [...fixes.children].every((button) => button instanceof HTMLElement && button.hidden);
 
     write(sum, sentence(left, height, design, whole));

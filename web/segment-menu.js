@@ -1,21 +1,14 @@
-/**
- * What can be done with a segment, in a small menu by its row.
- *
- * @import { Translate } from "./types.d.ts"
- */
+/** What can be done with a segment, in a small menu by its row. */
 import { h } from "./dom.js";
 import { createMenu } from "./menu.js";
 
-/** @typedef {"insert-before" | "insert-after" | "duplicate" | "up" | "down" | "delete"} Action */
+/** @typedef {"insert-before" | "insert-after" | "duplicate" | "up" | "down" | "select" | "delete"} Action */
 
 /** @type {Action[]} */
-const ACTIONS = ["insert-before", "insert-after", "duplicate", "up", "down", "delete"];
+const ACTIONS = ["insert-before", "insert-after", "duplicate", "up", "down", "select", "delete"];
 
-/**
- * @param {Translate} t
- * @param {(action: Action) => void} act
- */
-export function createSegmentMenu(t, act) {
+/** @param {(action: Action) => void} act */
+export function createSegmentMenu(act) {
   const items = ACTIONS.map((action) => ({ action, item: h("button", { type: "button" }) }));
   const menu = createMenu("segment-menu", items.map(({ item }) => item));
   // After the menu has closed and given the focus back.
@@ -27,10 +20,11 @@ export function createSegmentMenu(t, act) {
     /**
      * @param {HTMLElement} anchor
      * @param {(action: Action) => boolean} possible
+     * @param {(action: Action) => string} name
      */
-    open(anchor, possible) {
+    open(anchor, possible, name) {
       for (const { action, item } of items) {
-        item.textContent = t(`action.${action}`);
+        item.textContent = name(action);
         item.disabled = !possible(action);
       }
       menu.open(anchor);

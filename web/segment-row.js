@@ -1,18 +1,15 @@
 /**
  * One segment of the program on one line: its place, law, angle and rise.
  *
- * @import { Catalogue, LawEntry, Segment, ShellContext, State } from "./types.d.ts"
+ * @import { Catalogue, LawEntry, ShellContext } from "./types.d.ts"
  * @import { FreeEditor } from "./free-parts.js"
  * @import { NumberField } from "./number-field.js"
  */
-import { clean } from "./clean.js";
 import { h, hide, symbol, write, writeAttribute } from "./dom.js";
 import { mark } from "./help-mark.js";
-import { setBeta } from "./free-data.js";
 import { createFreeEditor } from "./free-editor.js";
 import { createThumbnail } from "./law-thumbnail.js";
 import { createNumberField, heightStep, lengthStep } from "./number-field.js";
-import { changeLaw, heightAt } from "./program.js";
 import { placeIn } from "./stage/place.js";
 
 let rows = 0;
@@ -23,6 +20,8 @@ let rows = 0;
  * @param {(row: SegmentRow) => void} actions.menu
  * @param {(row: SegmentRow, by: number) => void} actions.move
  * @param {(row: SegmentRow, event: PointerEvent) => void} actions.grab
+ * @param {(row: SegmentRow, through: boolean) => void} actions.select
+ * @param {(row: SegmentRow) => void} actions.remove
  */
 export function createSegmentRow(context, actions) {
   const { store, catalogue, t, format } = context;
@@ -49,10 +48,7 @@ export function createSegmentRow(context, actions) {
     name: () => t(strideUnit(store.state.design) === "°" ? "segments.beta.of" : "segments.stretch.of", number()),
     unit: () => strideUnit(store.state.design),
     read: (design) => design.segments[index]?.beta,
-    write: (draft, value) => {
-      const segment = draft.segments[index];
-      if (segment) setBeta(segment, value);
-    },
+    write: (value) => [{ op: "beta", segment: index, value }],
     step: (design) => (design.cam.kind === "translating" ? lengthStep(design) : 1),
     path: () => `segments[${index}].beta`,
     highlight: () => ({ segment: index }),
@@ -62,8 +58,8 @@ export function createSegmentRow(context, actions) {
     id: `${id}-rise`,
     name: () => t("segments.rise.of", number()),
     unit: () => riseUnit(store.state.design),
-    read: (design) => design.segments[index] && (design.segments[index].rise ?? clean(riseIn(store.state, index))),
-    write: (draft, value) => set(draft.segments[index], "rise", value),
+    read: (design) => design.segments[index] && (design.segments[index].rise ?? store.state.outline.rises[index] ?? 0),
+    write: (value) => [{ path: ["segments", index, "rise"], value }],
     step: heightStep,
     path: () => `segments[${index}].rise`,
     highlight: () => ({ segment: index }),
@@ -73,13 +69,16 @@ export function createSegmentRow(context, actions) {
   const root = h("li", { class: "segment" }, line, parameters, beta.error, rise.error, problem);
 
   lawSelect.addEventListener("change", () => {
-    const next = catalogue.laws.find((entry) => entry.id === lawSelect.value);
-    if (next) store.edit(t("edit.law", number()), (draft) => changeLaw(draft, index, next));
+    store.edit(t("edit.law", number()), [{ op: "law", segment: index, law: lawSelect.value }]);
   });
   more.addEventListener("click", () => actions.menu(row));
-  grip.addEventListener("click", () => {
+  grip.addEventListener("click", (event) => {
+    if (event.shiftKey || event.ctrlKey || event.metaKey) return actions.select(row, event.shiftKey);
     const theta = store.state.report.borders[index];
     if (theta !== undefined) store.set({ cursor: placeIn(store.state.report, theta) });
+  });
+  grip.addEventListener("keydown", (event) => {
+    if (event.key === "Delete") actions.remove(row);
   });
   grip.addEventListener("pointerdown", (event) => actions.grab(row, event));
   root.addEventListener("keydown", (event) => {
@@ -106,7 +105,7 @@ export function createSegmentRow(context, actions) {
           const value = design.segments[index]?.[key];
           return typeof value === "number" ? value : undefined;
         },
-        write: (draft, value) => set(draft.segments[index], key, value),
+        write: (value) => [{ path: ["segments", index, key], value }],
         step: (design) => (quantity === "height" ? lengthStep(design) / 100 : quantity === "span" || key === "degree" ? 1 : 0.05),
         path: () => `segments[${index}].${key}`,
         highlight: () => ({ segment: index }),
@@ -152,7 +151,7 @@ export function createSegmentRow(context, actions) {
     if (!segment) return;
     const from = design.segments.slice(0, index).reduce((sum, { beta: span }) => sum + span, 0);
     const wrong = error?.path.startsWith(`segments[${index}]`) ? error : null;
-    const state = JSON.stringify([index, segment, from, riseUnit(design), strideUnit(design), wrong, language]);
+    const state = JSON.stringify([index, segment, store.state.outline.rises[index], from, riseUnit(design), strideUnit(design), wrong, language]);
     if (state === shown) return;
     shown = state;
     const entry = catalogue.laws.find(({ id: known }) => known === segment.law);
@@ -198,6 +197,13 @@ export function createSegmentRow(context, actions) {
     },
     update,
     speak,
+    /** @param {boolean} is */
+    select(is) {
+      if (root.classList.contains("selected") === is) return;
+      root.classList.toggle("selected", is);
+      if (is) grip.setAttribute("aria-pressed", "true");
+      else grip.removeAttribute("aria-pressed");
+    },
     reset() {
       shown = "";
       for (const field of [beta, rise, ...extras.map((extra) => extra.field)]) field.reset();
@@ -207,26 +213,7 @@ export function createSegmentRow(context, actions) {
   return row;
 }
 
-/**
- * The rise of a segment that does not tell it: between its neighbours' heights, or as the engine found it.
- * @param {Readonly<State>} state
- * @param {number} index
- */
-function riseIn({ design, report }, index) {
-  if (design.segments[index]?.expression === undefined) return heightAt(design, index + 1) - heightAt(design, index);
-  return (report.heights[index + 1] ?? 0) - (report.heights[index] ?? 0);
-}
-
 /** @typedef {ReturnType<typeof createSegmentRow>} SegmentRow */
-
-/**
- * @param {Segment | undefined} segment
- * @param {string} key
- * @param {number} value
- */
-function set(segment, key, value) {
-  if (segment) segment[key] = value;
-}
 
 /**
  * What β's are measured in.

@@ -1,7 +1,7 @@
 /**
  * The motion program: its segments in a table that can be changed anywhere, and what is left of the turn.
  *
- * @import { Design, ShellContext } from "./types.d.ts"
+ * @import { Edit, ShellContext } from "./types.d.ts"
  * @import { Action } from "./segment-menu.js"
  * @import { SegmentRow } from "./segment-row.js"
  * @import { Texts } from "./texts.js"
@@ -9,7 +9,6 @@
 import { h, hide, symbol, write } from "./dom.js";
 import { mark } from "./help-mark.js";
 import { onDemand } from "./on-demand.js";
-import * as program from "./program.js";
 import { createClosing } from "./segment-closing.js";
 import { createSegmentMenu } from "./segment-menu.js";
 import { createSegmentRow, riseUnit, strideUnit } from "./segment-row.js";
@@ -30,6 +29,8 @@ export function createSegments(context, texts) {
   const rows = [];
   /** @type {SegmentRow | null} */
   let chosen = null;
+  /** Segments that are deleted together. @type {Set<number>} */
+  const selected = new Set();
 
   const list = h("ol", { class: "segments" });
   const betaHead = h("span", { class: "unit" });
@@ -58,7 +59,7 @@ export function createSegments(context, texts) {
   }
 
   const closing = createClosing(context, texts, add, auto);
-  const menu = createSegmentMenu(t, act);
+  const menu = createSegmentMenu(act);
   const root = h(
     "fieldset",
     { class: "program" },
@@ -77,7 +78,8 @@ export function createSegments(context, texts) {
   /** @param {Action} action */
   function possible(action) {
     const index = chosen?.index ?? 0;
-    if (action === "delete") return count() > 1;
+    if (action === "select") return count() > 1;
+    if (action === "delete") return count() > doomed(index).length;
     if (action === "up") return index > 0;
     if (action === "down") return index < count() - 1;
     return !full();
@@ -89,7 +91,8 @@ export function createSegments(context, texts) {
     const { index } = chosen;
     if (action === "insert-before") insert(index, index);
     else if (action === "insert-after") insert(index + 1, index);
-    else if (action === "duplicate") change(t("edit.duplicate"), (draft) => program.duplicate(draft, index), index + 1);
+    else if (action === "duplicate") change(t("edit.duplicate"), { op: "duplicate", segment: index }, index + 1);
+    else if (action === "select") select(chosen, false);
     else if (action === "delete") remove(index);
     else move(chosen, action === "up" ? -1 : 1);
   }
@@ -97,12 +100,12 @@ export function createSegments(context, texts) {
   /**
    * Edits the list and takes the focus to where the change happened.
    * @param {string} label
-   * @param {(draft: Design) => void} fn
+   * @param {Edit} edit
    * @param {number} focus
    * @param {"lawSelect" | "grip"} [part]
    */
-  function change(label, fn, focus, part = "lawSelect") {
-    store.edit(label, fn);
+  function change(label, edit, focus, part = "lawSelect") {
+    store.edit(label, [edit]);
     update();
     fill(Infinity);
     for (const row of rows) row.reset();
@@ -114,13 +117,35 @@ export function createSegments(context, texts) {
    * @param {number} neighbour
    */
   function insert(index, neighbour) {
-    if (!full()) change(t("edit.insert"), (draft) => program.insert(draft, index, neighbour), index);
+    if (!full()) change(t("edit.insert"), { op: "insert", at: index, from: Math.max(0, neighbour) }, index);
   }
+
+  /** What goes with a segment that is deleted: all that are selected, when it is one of them. @param {number} index */
+  const doomed = (index) => (selected.has(index) ? [...selected].sort((one, other) => one - other) : [index]);
 
   /** @param {number} index */
   function remove(index) {
-    change(t("edit.delete"), (draft) => program.remove(draft, index), Math.min(index, count() - 2), "grip");
-    announce(t("segments.removed", { count: count() }));
+    const segments = doomed(index);
+    if (segments.length >= count()) return;
+    change(t("edit.delete"), { op: "delete", segments }, Math.min(segments[0] ?? 0, count() - segments.length - 1), "grip");
+    announce(t(segments.length > 1 ? "segments.removed.several" : "segments.removed", { number: segments.length, count: count() }));
+  }
+
+  /**
+   * Selects a segment, or no longer; with `through`, all from the one that was selected last.
+   * @param {SegmentRow} row
+   * @param {boolean} through
+   */
+  function select(row, through) {
+    const last = [...selected].at(-1) ?? row.index;
+    if (through) for (let k = Math.min(last, row.index); k <= Math.max(last, row.index); k++) selected.add(k);
+    else if (!selected.delete(row.index)) selected.add(row.index);
+    showSelected();
+    announce(t("segments.selected", { count: selected.size }));
+  }
+
+  function showSelected() {
+    for (const row of rows) row.select(selected.has(row.index));
   }
 
   /**
@@ -130,9 +155,10 @@ export function createSegments(context, texts) {
   function move(row, by) {
     const from = row.index;
     const to = from + by;
+    selected.clear();
     if (to < 0 || to >= count()) return;
     const part = document.activeElement === row.lawSelect ? "lawSelect" : "grip";
-    change(t("edit.move"), (draft) => program.move(draft, from, to), to, part);
+    change(t("edit.move"), { op: "move", from, to }, to, part);
     announce(t("segments.moved", { number: to + 1, count: count() }));
   }
 
@@ -155,7 +181,8 @@ export function createSegments(context, texts) {
       if (to < 0 || to === at) return;
       const from = at;
       at = to;
-      store.edit(t("edit.move"), (draft) => program.move(draft, from, to), { gesture });
+      selected.clear();
+      store.edit(t("edit.move"), [{ op: "move", from, to }], { gesture });
       update();
       for (const other of rows) other.root.classList.toggle("dragged", other.index === at);
     }
@@ -196,14 +223,17 @@ export function createSegments(context, texts) {
    */
   function fill(most) {
     const { length } = store.state.design.segments;
+    // The places of those that were selected are no longer theirs.
+    if (rows.length !== length) selected.clear();
     while (rows.length > length) rows.pop()?.root.remove();
     const end = Math.min(length, rows.length + most);
     while (rows.length < end) {
-      const row = createSegmentRow(context, { menu: openMenu, move, grab });
+      const row = createSegmentRow(context, { menu: openMenu, move, grab, select, remove: ({ index }) => remove(index) });
       rows.push(row);
       list.append(row.root);
     }
     rows.forEach((row, index) => row.update(index));
+    showSelected();
     if (rows.length === length || growing) return;
     growing = true;
     requestAnimationFrame(() => {
@@ -215,7 +245,11 @@ export function createSegments(context, texts) {
   /** @param {SegmentRow} row */
   function openMenu(row) {
     chosen = row;
-    menu.open(row.more, possible);
+    menu.open(row.more, possible, (action) => {
+      if (action === "select" && selected.has(row.index)) return t("action.unselect");
+      const several = action === "delete" ? doomed(row.index).length : 1;
+      return several > 1 ? t("action.delete.several", { count: several }) : t(`action.${action}`);
+    });
   }
 
   function light() {

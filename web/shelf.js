@@ -7,6 +7,9 @@
 /** What each was brought along as, and its name where that is a word: by what it is on screen. @type {Map<string, { design: Design, name: string }>} */
 const shelf = new Map();
 
+/** The same as objects: a design that came by a link or a file may look the same, and is somebody's own. @type {WeakSet<Readonly<Design>>} */
+const brought = new WeakSet();
+
 /**
  * The design as it is put on screen.
  * @param {Design} design
@@ -16,6 +19,7 @@ const shelf = new Map();
 export function shelve(design, t, name = "") {
   const shown = { ...design, title: name ? t(name) : design.title?.replace(/^Example\b/, t("app.example")) };
   shelf.set(JSON.stringify(shown), { design, name });
+  brought.add(shown);
   return shown;
 }
 
@@ -31,3 +35,6 @@ export function retitled(design, t) {
 
 /** @param {string} text  a design as JSON */
 export const isShelved = (text) => shelf.has(text);
+
+/** Whether a design is on screen because the page brought it along. @param {Readonly<Design>} design */
+export const isBrought = (design) => brought.has(design);

@@ -1,7 +1,7 @@
 /**
  * The page's only state, its undo history and the one animation frame in which everything is redrawn.
  *
- * @import { Design, Keeper, State, Store, ViewState, Wiring } from "./types.d.ts"
+ * @import { Design, DesignError, Keeper, State, Store, ViewState, Wiring } from "./types.d.ts"
  */
 
 /** Undo steps that are kept: a whole lesson, in some hundred kilobytes. */
@@ -12,6 +12,9 @@ const MEASURES = 1000;
 
 /** Name of the measure that covers an edit, from its beginning to the end of the frame that shows it. */
 export const EDIT_MEASURE = "levalab:edit";
+
+/** What is said of an edit before the page is put together. @type {DesignError} */
+const UNWIRED = { path: "", message: "" };
 
 /** @returns {ViewState} */
 function initialView() {
@@ -113,6 +116,7 @@ export function createStore() {
     state.design = design;
     changed.add("design");
     const opened = wiring ? wiring.analyse(design) : undefined;
+    if (opened?.outline) state.outline = opened.outline;
     if (opened?.report) {
       state.report = opened.report;
       good = design;
@@ -195,13 +199,18 @@ export function createStore() {
       if (changed.size > 0) scheduleDraw();
     },
 
-    edit(label, fn, options = {}) {
+    edit(label, edits, { gesture, told = false } = {}) {
       const start = performance.now();
-      const draft = structuredClone(state.design);
-      fn(draft);
-      remember(label, options.gesture);
+      const { design, error } = wiring?.apply(state.design, edits) ?? { error: UNWIRED };
+      if (!design) {
+        if (!told) wiring?.refused?.(error, state.design, edits);
+        return error;
+      }
+      remember(label, gesture);
       if (editStart === 0) editStart = start;
-      adopt(draft);
+      editScript += performance.now() - start;
+      adopt(design);
+      return null;
     },
 
     cancel(gesture) {
@@ -219,7 +228,7 @@ export function createStore() {
     replace(design, label) {
       remember(label);
       origin = ++origins;
-      adopt(structuredClone(design));
+      adopt(design);
     },
 
     undo: () => travel(past, future),

@@ -12,11 +12,22 @@ function bench() {
   const frames = [];
   /** @type {unknown[]} */
   const failures = [];
+  /** @type {string[]} */
+  const refusals = [];
   store.connect({
     analyse: (design) =>
       (design.cam.base_radius ?? 0) > 0
-        ? { report: /** @type {Report} */ (/** @type {unknown} */ ({ link: `1.${design.cam.base_radius}` })) }
-        : { error: { path: "cam.base_radius", message: "must be positive" } },
+        ? { report: /** @type {Report} */ (/** @type {unknown} */ ({ link: `1.${design.cam.base_radius}` })), outline: null }
+        : { error: { path: "cam.base_radius", message: "must be positive" }, outline: null },
+    apply(design, edits) {
+      const draft = structuredClone(design);
+      for (const edit of edits) {
+        if (!("value" in edit && "path" in edit)) return { error: { path: "", message: "not possible" } };
+        draft.cam.base_radius = Number(edit.value);
+      }
+      return { design: draft };
+    },
+    refused: (error) => refusals.push(error.message),
     failed: (error) => failures.push(error),
     frame: (draw) => frames.push(draw),
   });
@@ -27,11 +38,11 @@ function bench() {
     return due.length;
   };
   frame();
-  return { store, frame, failures };
+  return { store, frame, failures, refusals };
 }
 
 /** @param {number} radius */
-const toRadius = (radius) => (/** @type {Design} */ draft) => void (draft.cam.base_radius = radius);
+const toRadius = (radius) => [{ path: ["cam", "base_radius"], value: radius }];
 
 test("an edit never touches the design that was there", () => {
   const { store } = bench();
@@ -51,6 +62,19 @@ test("the last good report stays while the design is wrong", () => {
   store.edit("radius", toRadius(36));
   assert.equal(store.state.error, null);
   assert.equal(store.state.stale, false);
+});
+
+test("an edit that is refused changes nothing, leaves no undo step, and is told once", () => {
+  const { store, refusals } = bench();
+  store.edit("radius", toRadius(36));
+  store.undo();
+  const { design } = store.state;
+  assert.deepEqual(store.edit("segments", [{ op: "spread" }]), { path: "", message: "not possible" });
+  assert.equal(store.state.design, design);
+  assert.deepEqual([store.canUndo(), store.canRedo()], [false, true]);
+  assert.deepEqual(refusals, ["not possible"]);
+  store.edit("segments", [{ op: "spread" }], { told: true });
+  assert.deepEqual(refusals, ["not possible"]);
 });
 
 test("a gesture is one undo step", () => {

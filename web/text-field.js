@@ -1,7 +1,7 @@
 /**
  * Data of a free law that are typed or pasted as text: a formula, a list of numbers, a table.
  *
- * @import { Segment, ShellContext, State } from "./types.d.ts"
+ * @import { Edit, Segment, ShellContext, State } from "./types.d.ts"
  */
 import { h, hide, write } from "./dom.js";
 import { mark } from "./help-mark.js";
@@ -23,7 +23,7 @@ let sessions = 0;
  * @property {boolean} [radians]     where the follower swings it is in radians, unlike the numbers on the page, and says so
  * @property {(segment: Readonly<Segment>, language: "en" | "es") => string} write
  * @property {(text: string, t: ShellContext["t"], event: InputEvent) => Meaning} read
- * @property {(segment: Segment, data: unknown, state: Readonly<State>, index: number) => void} [adopt]  what else follows from it
+ * @property {(data: unknown, index: number) => Edit[]} [edits]  instead of the value of its field
  */
 
 /**
@@ -62,22 +62,21 @@ export function createTextField({ store, t }, { id, index }, kind) {
     const { data, problem: unread } = kind.read(input.value, t, event instanceof InputEvent ? event : new InputEvent("input"));
     problem = unread ?? null;
     if (problem === null) {
-      store.edit(
-        t(`edit.${key}`),
-        (draft) => {
-          const segment = draft.segments[index()];
-          if (!segment) return;
-          if (data === undefined) delete segment[key];
-          else Object.assign(segment, { [key]: data });
-          kind.adopt?.(segment, data, store.state, index());
-        },
-        { gesture: session },
-      );
+      problem = store.edit(t(`edit.${key}`), editsFor(data), { gesture: session, told: true })?.message ?? null;
       const segment = segmentOf(store.state);
       if (segment) shown = kind.write(segment, store.state.language);
     }
     update(store.state);
   });
+
+  /** @param {unknown} data @returns {Edit[]} */
+  function editsFor(data) {
+    const segment = segmentOf(store.state);
+    const place = ["segments", index(), key];
+    if (kind.edits) return kind.edits(data, index());
+    if (data !== undefined) return [{ path: place, value: data }];
+    return segment?.[key] === undefined ? [] : [{ op: "clear", path: place }];
+  }
 
   /** @param {Readonly<State>} state */
   function update(state) {

@@ -37,7 +37,7 @@ export function createTitleField({ store, catalogue, t }, texts) {
   input.addEventListener("focus", () => (gesture = `title:${++sessions}`));
   input.addEventListener("input", () => {
     const title = cleanTitle(input.value, longest);
-    if (title !== store.state.design.title) store.edit(t("edit.title"), (draft) => (draft.title = title), { gesture });
+    if (title !== store.state.design.title) store.edit(t("edit.title"), [{ path: ["title"], value: title }], { gesture });
   });
   input.addEventListener("keydown", (event) => {
     if (event.key === "Escape") {

@@ -255,9 +255,52 @@ export interface Range {
   max_at: number;
 }
 
-export interface Edit {
-  path: (string | number)[];
-  value: unknown;
+/** Edits that make the β's add up, or the heights come back. */
+export type Completion = "fill-with-dwell" | "fill-with-return" | "stretch-last" | "spread" | "close";
+
+/** A change of a design; `docs/edits.md` tells what each does. Segments are counted from 0. */
+export type Edit =
+  | { path: (string | number)[]; value: unknown }
+  | { op: "clear"; path: (string | number)[] }
+  | { op: "insert"; at: number; from?: number }
+  | { op: "duplicate"; segment: number }
+  | { op: "delete"; segments: number[] }
+  | { op: "move"; from: number; to: number }
+  | { op: "law"; segment: number; law: string }
+  | { op: "beta"; segment: number; value: number }
+  | { op: Completion | "new" }
+  | { op: "scale"; factor: number }
+  | { op: "condition"; segment: number; at: number; order: number; value: number }
+  | { op: "add-condition"; segment: number }
+  | { op: "move-conditions"; segment: number; from: number; to: number }
+  | { op: "drop-conditions"; segment: number; at: number; order?: number }
+  | { op: "formula"; segment: number; text: string }
+  | { op: "follower"; follower: string }
+  | { op: "kind"; kind: KindId; before?: Design; after?: Design }
+  | { op: "generator"; generator: Generator; sides?: number }
+  | { op: "pair"; tie: TieKey; value?: number }
+  | { op: "application"; application?: string }
+  | { op: "targets-by"; by: "theta" | "time" }
+  | { op: "convert" | "relabel"; unit: string };
+
+/** The program of a design, whether or not it makes a cam; heights are above the base circle. */
+export interface Outline {
+  /** What the β's must add up to. */
+  whole: number;
+  /** What is left of it; negative where they add up to more. */
+  left: number;
+  /** How far the program ends above where it should. */
+  open: number;
+  /** The height at each border, and the rise between two. */
+  heights: number[];
+  rises: number[];
+  lift: number;
+  /** How far the follower of a cam of constant breadth travels. */
+  travel: number | null;
+  /** Whether the last segment can take what is left, or give back what is too much. */
+  stretches: boolean;
+  /** Whether a segment can take the height that is open. */
+  closes: boolean;
 }
 
 export interface Cure {
@@ -339,7 +382,7 @@ export interface Report {
   notation?: { symbols: Record<string, string>; eccentricity: number };
 }
 
-export type Opened = { report: Report; error?: undefined } | { error: DesignError; report?: undefined };
+export type Opened = ({ report: Report; error?: undefined } | { error: DesignError; report?: undefined }) & { outline: Outline | null };
 /** What an address holds: nothing at all when there is no link in it. */
 export interface OpenedLink {
   design?: Design;
@@ -444,6 +487,8 @@ export interface State {
   report: Report;
   error: DesignError | null;
   stale: boolean;
+  /** The program of the design as edited. */
+  outline: Outline;
   /** Cam angle in degrees, 0 ≤ cursor < 360; of a cam that travels the place, 0 ≤ cursor ≤ its length. */
   cursor: number;
   playing: boolean;
@@ -482,7 +527,7 @@ export interface Beside {
 /** What can change and be waited for: a part of the state, or the window on the mechanism, which that keeps to itself. */
 export type Change = keyof State | "window";
 
-export type ViewState = Omit<State, "design" | "report" | "error" | "stale">;
+export type ViewState = Omit<State, "design" | "report" | "error" | "stale" | "outline">;
 
 export interface Store {
   readonly state: Readonly<State>;
@@ -492,8 +537,11 @@ export interface Store {
   set(patch: Partial<ViewState>): void;
   /** Tells the listeners of `key` at the next frame, though nothing that is kept here has changed. */
   touch(key: Change): void;
-  /** Changes the design: analyses, remembers for undo (one entry a gesture), schedules a frame. */
-  edit(label: string, fn: (draft: Design) => void, options?: { gesture?: string }): void;
+  /**
+   * Changes the design: analyses, remembers for undo (one entry a gesture), schedules a frame. What is wrong with an edit that is not
+   * possible is given back, and the design stays; `told` says that whoever asked shows it.
+   */
+  edit(label: string, edits: Edit[], options?: { gesture?: string; told?: boolean }): DesignError | null;
   /** Takes back a gesture that is under way, as if it had never begun. */
   cancel(gesture: string): void;
   /** The gesture is over: the next edit makes its own undo step. */
@@ -571,6 +619,10 @@ export interface Keeper {
 export interface Wiring {
   /** Gives the report of a design, or what is wrong with it. */
   analyse: (design: Design) => Opened;
+  /** The design with edits made, or why one of them is not possible. */
+  apply: (design: Design, edits: Edit[]) => Read;
+  /** Told of an edit that is not possible, unless whoever asked for it shows why. */
+  refused?: (error: DesignError, design: Design, edits: Edit[]) => void;
   /** Told when a listener throws. */
   failed?: (error: unknown) => void;
   /** requestAnimationFrame, or another in tests. */

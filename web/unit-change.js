@@ -18,19 +18,6 @@ function told({ speed: { value: rate, unit }, length_unit, cam }, speed) {
 }
 
 /**
- * @param {Design} draft
- * @param {string} unit
- * @param {boolean} speed
- */
-function relabel(draft, unit, speed) {
-  if (speed) draft.speed.unit = unit;
-  else {
-    draft.length_unit = unit;
-    if (draft.cam.kind === "translating") draft.speed.unit = `${unit}/s`;
-  }
-}
-
-/**
  * Asks below the fields what the unit just chosen in `select` is to do.
  * @param {ShellContext} context
  * @param {HTMLSelectElement} select
@@ -76,7 +63,7 @@ export function askUnit(context, select, place) {
   close = done;
   if (before.unit === to) return done();
 
-  const read = module().in_unit(design, to, store.state.language);
+  const read = module().edit(design, [{ op: "convert", unit: to }], store.state.language);
   /** @param {{ value: number, unit: string }} quantity */
   const write = ({ value, unit }) => format.quantity(value, { trim: true, unit });
   const question = t("unit.question", { from: before.unit, to });
@@ -90,7 +77,7 @@ export function askUnit(context, select, place) {
   const { design: converted, error } = read;
   const convert = converted
     ? button(t(speed ? "unit.convert.speed" : "unit.convert.cam", { before: write(before), after: write(told(converted, speed)) }), () =>
-        store.edit(t("edit.convert", { unit: to }), (draft) => void Object.assign(draft, converted)),
+        store.edit(t("edit.convert", { unit: to }), [{ op: "convert", unit: to }]),
       )
     : h("p", { class: "error" }, t("unit.refused", { reason: error?.message ?? "" }));
   const label = h("span", { id }, question);
@@ -100,7 +87,7 @@ export function askUnit(context, select, place) {
     label,
     convert,
     button(t("unit.relabel", { before: write(before), after: write({ ...before, unit: to }) }), () =>
-      store.edit(t("edit.relabel", { unit: to }), (draft) => relabel(draft, to, speed)),
+      store.edit(t("edit.relabel", { unit: to }), [{ op: "relabel", unit: to }]),
     ),
     h("button", { type: "button", class: "quiet", onclick: keep }, t("unit.cancel", { unit: before.unit })),
   );

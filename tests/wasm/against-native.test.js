@@ -1,11 +1,11 @@
 // The module as it is shipped, optimiser and all, computes what the command line computes.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { CATALOGUE } from "../../web/pkg/catalogue.js";
-import { Lab, initSync } from "../../web/pkg/levalab_wasm.js";
+import { Lab, edit, initSync, read_design } from "../../web/pkg/levalab_wasm.js";
 import { design_by_law, initSync as initWorkshop, tournament_of } from "../../web/pkg/levalab_workshop_wasm.js";
 
 /** Both run the same arithmetic; only sin, cos and their like may differ, in the last digits. Relative to the column's scale. */
@@ -66,6 +66,42 @@ for (const example of examples) {
     for (const [name, expected] of Object.entries(columns)) {
       compare(name, lab.column(/** @type {any} */ (name)), expected);
     }
+  });
+}
+
+/** @type {import("../../web/types.d.ts").Edit[][]} */
+const EDITS = [
+  [{ path: ["cam", "base_radius"], value: 61.5 }, { op: "scale", factor: 0.5 }],
+  [{ op: "insert", at: 1, from: 0 }, { op: "law", segment: 1, law: "scca" }, { op: "close" }],
+  [{ op: "duplicate", segment: 0 }, { op: "spread" }, { op: "close" }],
+  [{ op: "law", segment: 0, law: "polynomial" }, { op: "add-condition", segment: 0 }],
+  [{ op: "kind", kind: "translating" }],
+  [{ op: "kind", kind: "constant-breadth" }, { op: "generator", generator: "mirror" }, { op: "kind", kind: "grooved" }],
+  [{ op: "follower", follower: "oscillating-roller" }],
+  [{ op: "follower", follower: "translating-flat" }, { op: "pair", tie: "distance" }],
+  [{ op: "convert", unit: "in" }, { op: "relabel", unit: "cm" }],
+  [{ op: "application", application: "pump" }, { op: "new" }],
+  [{ op: "delete", segments: [0, 99] }],
+];
+
+for (const example of examples) {
+  test(`${example}: an edit of the page gives the design, or the reason, of the command`, () => {
+    const file = path.join(root, "examples", example);
+    const design = JSON.parse(readFileSync(file, "utf8"));
+    let good = 0;
+    for (const edits of EDITS) {
+      /** @type {{ status: number | null, stdout: string, stderr: string }} */
+      const told = spawnSync(/** @type {string} */ (cli), ["edit", file, JSON.stringify(edits), "--lang", "es"], { encoding: "utf8" });
+      const draft = edit(design, edits, "es");
+      const found = draft.design ? read_design(draft.design, "es") : draft;
+      if (told.status === 0) {
+        good += 1;
+        assert.deepEqual(found.design, JSON.parse(told.stdout), JSON.stringify(edits));
+      } else {
+        assert(found.error && told.stderr.endsWith(`${found.error.path}: ${found.error.message}\n`), `${JSON.stringify(edits)}: ${told.stderr} ${JSON.stringify(found)}`);
+      }
+    }
+    assert(good > 0, "every edit is refused");
   });
 }
 

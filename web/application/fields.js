@@ -1,18 +1,15 @@
 /**
  * What is driven, and its parameters with what follows from them.
  *
- * @import { ApplicationDesign, ApplicationEntry, ApplicationMagnitude, Design, ShellContext } from "../types.d.ts"
+ * @import { ApplicationDesign, ApplicationEntry, ApplicationMagnitude, ShellContext } from "../types.d.ts"
  * @import { NumberField } from "../number-field.js"
  * @import { Work } from "./work.js"
  */
 import { h, symbol } from "../dom.js";
 import { createNumberField, lengthStep, ownStep } from "../number-field.js";
 
-/** Lengths of a new application as shares of the base radius, in round figures. @type {Record<string, number>} */
-const SHARES = { piston_radius: 0.3, seat_diameter: 0.8 };
-
-/** What has no natural size begins with this. */
-const FIRST = 10;
+/** Parameters that are lengths of the cam's size, and are stepped like it. */
+const LENGTHS = ["piston_radius", "seat_diameter"];
 
 /**
  * @param {ShellContext} context
@@ -31,7 +28,7 @@ export function createFields(context, work) {
 
   kind.addEventListener("change", () => {
     const entry = work.entries.find(({ id }) => id === kind.value);
-    store.edit(t("edit.application"), (draft) => choose(draft, entry, work.entries));
+    store.edit(t("edit.application"), [{ op: "application", ...(entry ? { application: entry.id } : {}) }]);
   });
 
   /**
@@ -56,8 +53,8 @@ export function createFields(context, work) {
       label: shown,
       unit: () => unit,
       read: ({ application }) => number(application?.[key]),
-      write: ({ application }, value) => Object.assign(application ?? {}, { [key]: value }),
-      step: (design) => (key in SHARES ? lengthStep(design) : unit === "°" ? 1 : ownStep(number(design.application?.[key]) ?? 1)),
+      write: (value) => [{ path: ["application", key], value }],
+      step: (design) => (LENGTHS.includes(key) ? lengthStep(design) : unit === "°" ? 1 : ownStep(number(design.application?.[key]) ?? 1)),
       path: () => `application.${key}`,
       highlight: () => ({}),
     });
@@ -88,33 +85,3 @@ export function createFields(context, work) {
 
 /** @param {ApplicationDesign[string]} value */
 const number = (value) => (typeof value === "number" ? value : undefined);
-
-/**
- * Another application; points to hit stay where the output is the same.
- * @param {Design} draft
- * @param {ApplicationEntry | undefined} entry
- * @param {ApplicationEntry[]} entries
- */
-function choose(draft, entry, entries) {
-  const old = draft.application;
-  if (!entry) {
-    delete draft.application;
-    return;
-  }
-  /** @type {ApplicationDesign} */
-  const next = { kind: entry.id };
-  for (const { id, value } of entry.parameters) next[id] = number(old?.[id]) ?? value ?? first(id, draft);
-  const before = entries.find(({ id }) => id === old?.kind)?.outputs[0]?.id;
-  if (old?.targets && before === entry.outputs[0]?.id && !old.output) {
-    next.targets = old.targets;
-    if (old.by) next.by = old.by;
-  }
-  draft.application = next;
-}
-
-/** @param {string} key @param {Design} draft */
-function first(key, draft) {
-  const share = SHARES[key];
-  const { base_radius: radius, length = 1 } = draft.cam;
-  return share === undefined ? FIRST : Number(((radius ?? length / 4) * share).toPrecision(1));
-}

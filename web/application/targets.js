@@ -38,18 +38,13 @@ export function createTargets({ store, t, format, module }, work) {
   let shown = "";
   let session = "";
 
-  /** @param {(application: ApplicationDesign) => void} change @param {string} [gesture] */
-  function edit(change, gesture) {
-    store.edit(t("edit.targets"), ({ application }) => application && change(application), gesture ? { gesture } : {});
-  }
-
-  output.addEventListener("change", () =>
-    edit((application) => {
-      if (output.selectedIndex > 0) application.output = output.value;
-      else delete application.output;
-    }),
-  );
-  by.addEventListener("change", () => edit((application) => turn(application, by.value === "time" ? "time" : "theta")));
+  output.addEventListener("change", () => {
+    store.edit(t("edit.targets"), [{ path: ["application", "output"], value: output.value }]);
+  });
+  by.addEventListener("change", () => {
+    store.edit(t("edit.targets"), [{ op: "targets-by", by: by.value === "time" ? "time" : "theta" }]);
+    update();
+  });
   field.addEventListener("focus", () => (session = `targets:${++sessions}`));
   field.addEventListener("blur", () => {
     store.endGesture();
@@ -60,25 +55,10 @@ export function createTargets({ store, t, format, module }, work) {
     problem = points ? null : t("application.targets.unreadable", { line });
     if (points) {
       shown = text(points);
-      edit((application) => {
-        if (points.length > 0) application.targets = points;
-        else delete application.targets;
-      }, session);
+      problem = store.edit(t("edit.targets"), [{ path: ["application", "targets"], value: points }], { gesture: session, told: true })?.message ?? null;
     }
     update();
   });
-
-  /**
-   * The same points by the other measure: those that are told as the engine has them.
-   * @param {ApplicationDesign} application
-   * @param {"theta" | "time"} measure
-   */
-  function turn(application, measure) {
-    const known = work.report?.targets ?? [];
-    if (measure === "time") application.by = measure;
-    else delete application.by;
-    if (application.targets?.length === known.length) application.targets = known.map((target) => [measure === "time" ? target.time : target.theta, target.value]);
-  }
 
   /** @param {[number, number][]} points */
   const text = (points) => points.map((point) => point.map((value) => fieldText(value, store.state.language)).join("\t")).join("\n");

@@ -1,7 +1,6 @@
 /** What the machine must do, as it is typed and as numbers: dwells, straight lines and points. */
-import { clean } from "../clean.js";
 import { round, stepped } from "../hand.js";
-import { parseNumber } from "../numbers.js";
+import { exact, parseNumber, sum } from "../numbers.js";
 
 /** The fields of each kind of requirement, by the columns of the table. */
 export const KINDS = /** @type {const} */ ({ dwell: ["from", "to", "s"], line: ["from", "to", "s", "end"], point: ["from", "s", "v"] });
@@ -78,7 +77,7 @@ export function moved(place, part, to, steps) {
   const from = within(theta, 0, TURN - wide);
   const s = Math.max(height, -high, 0);
   if (place.kind === "point") return { from, s };
-  return { from, to: clean(from + wide), s, ...(straight ? { end: clean(s + high) } : {}) };
+  return { from, to: sum(from, wide), s, ...(straight ? { end: sum(s, high) } : {}) };
 }
 
 /**
@@ -121,7 +120,7 @@ export function suggested(kind, others, height) {
   if (kind === "point") return { from: middle, s: top };
   const half = Math.min(WIDE / 2, Math.max(1, Math.floor((to - from) / 4)));
   const ends = { from: middle - half, to: middle + half };
-  return kind === "dwell" ? { ...ends, s: top } : { ...ends, s: clean(top / 4), end: clean((3 * top) / 4) };
+  return kind === "dwell" ? { ...ends, s: top } : { ...ends, s: exact(top / 4), end: exact((3 * top) / 4) };
 }
 
 /**
@@ -147,4 +146,4 @@ function widestGap(others) {
 }
 
 /** @param {number} value @param {number} least @param {number} most */
-const within = (value, least, most) => clean(Math.max(least, Math.min(value, most)));
+const within = (value, least, most) => exact(Math.max(least, Math.min(value, most)));

@@ -9,7 +9,7 @@
 import { h } from "../dom.js";
 import { stepped } from "../hand.js";
 import { heightStep } from "../number-field.js";
-import { lift } from "../program.js";
+import { exact } from "../numbers.js";
 import { factor } from "../scrub.js";
 import { createBoard } from "./board.js";
 import { drawn, moved, placed, turned } from "./demands.js";
@@ -48,7 +48,7 @@ export function createDrawing(context, list, tool, tell) {
     else lay();
   });
 
-  const usualHeight = () => lift(store.lastGood()) || USUAL;
+  const usualHeight = () => exact(Math.max(0, ...store.state.report.heights)) || USUAL;
 
   /** @param {number} k */
   function standing(k) {

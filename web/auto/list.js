@@ -4,8 +4,7 @@
  * @import { Language } from "../types.d.ts"
  * @import { Demand, Field, Values } from "./demands.js"
  */
-import { clean } from "../clean.js";
-import { fieldText, parseNumber } from "../numbers.js";
+import { exact, fieldText, parseNumber } from "../numbers.js";
 
 /** Steps that are remembered. */
 const MOST = 200;
@@ -27,7 +26,7 @@ export function createList(language) {
   const tell = (/** @type {"demands" | "light"} */ what) => watchers.forEach((watcher) => watcher(what));
 
   /** @param {Values} values @returns {Partial<Record<Field, string>>} */
-  const texts = (values) => Object.fromEntries(Object.entries(values).map(([field, value]) => [field, fieldText(clean(value), language())]));
+  const texts = (values) => Object.fromEntries(Object.entries(values).map(([field, value]) => [field, fieldText(exact(value), language())]));
 
   /** @param {Demand[] | undefined} to @param {Demand[][]} kept */
   function travel(to, kept) {

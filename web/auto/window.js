@@ -4,11 +4,9 @@
  * @import { Design, ShellContext } from "../types.d.ts"
  * @import { Demand, Kind } from "./demands.js"
  */
-import { clean } from "../clean.js";
 import { h, write } from "../dom.js";
 import { icon } from "../icons.js";
-import { fieldText } from "../numbers.js";
-import { heightAt, lift } from "../program.js";
+import { exact, fieldText } from "../numbers.js";
 import { riseUnit } from "../segment-row.js";
 import { choice } from "../stage/choice.js";
 import { KINDS, asked, placed, suggested } from "./demands.js";
@@ -91,9 +89,7 @@ export function createWindow(context) {
   take.addEventListener("click", () => {
     const program = found?.segments;
     if (!program) return;
-    store.edit(t("edit.auto"), (draft) => {
-      draft.segments = structuredClone(program);
-    });
+    store.edit(t("edit.auto"), [{ path: ["segments"], value: program }]);
     subject = subjectOf();
     dialog.close();
   });
@@ -113,20 +109,20 @@ export function createWindow(context) {
 
   /** What of the program on screen a machine may have asked for; a dwell below and one above when that is nothing. */
   function guess() {
-    const { design, language } = store.state;
-    const text = (/** @type {number} */ value) => fieldText(clean(value), language);
+    const { design, language, outline } = store.state;
+    const text = (/** @type {number} */ value) => fieldText(exact(value), language);
     let from = 0;
     /** @type {Demand[]} */
     const kept = [];
     design.segments.forEach((segment, k) => {
-      const [to, s] = [from + segment.beta, heightAt(design, k)];
+      const [to, s, end] = [from + segment.beta, outline.heights[k] ?? 0, outline.heights[k + 1] ?? 0];
       if (segment.law === "dwell") kept.push({ kind: "dwell", from: text(from), to: text(to), s: text(s) });
-      if (segment.law === "constant-velocity") kept.push({ kind: "line", from: text(from), to: text(to), s: text(s), end: text(heightAt(design, k + 1)) });
+      if (segment.law === "constant-velocity") kept.push({ kind: "line", from: text(from), to: text(to), s: text(s), end: text(end) });
       from = to;
     });
     const moves = kept.some(({ kind, s }) => kind === "line" || s !== "0");
     if (moves) return kept;
-    return [/** @type {Demand} */ ({ kind: "dwell", from: "0", to: "60", s: "0" }), /** @type {Demand} */ ({ kind: "dwell", from: "180", to: "240", s: text(lift(design) || 10) })];
+    return [/** @type {Demand} */ ({ kind: "dwell", from: "0", to: "60", s: "0" }), /** @type {Demand} */ ({ kind: "dwell", from: "180", to: "240", s: text(outline.lift || 10) })];
   }
 
   /** Changes with the design that is open and the unit of its heights. */

@@ -4,8 +4,6 @@
  * @import { Generator, ShellContext } from "../types.d.ts"
  */
 import { h, hide, write } from "../dom.js";
-import { changeGenerator } from "../kind-change.js";
-import { breadthTravel } from "../program.js";
 import { rounded } from "./rounded.js";
 
 /** Rows of a ready-made motion that are listed; a longer one repeats itself. */
@@ -24,13 +22,12 @@ export function createBreadthPanel(context) {
   const error = h("p", { class: "error", hidden: true });
   const root = h("fieldset", { class: "breadth" }, h("legend", { class: "unseen" }), h("div", { class: "choices-row" }, label, select, h("span", { class: "sides" }, sidesLabel, sides)), error, rule, rows, note);
 
-  const polygon = () => catalogue.polygons.find(({ sides: value }) => String(value) === sides.value) ?? { sides: 3, least: 0 };
-  const adopt = () => store.edit(t("edit.generator"), (draft) => changeGenerator(draft, /** @type {Generator} */ (select.value), polygon()));
+  const adopt = () => store.edit(t("edit.generator"), [{ op: "generator", generator: /** @type {Generator} */ (select.value), sides: Number(sides.value) }]);
   select.addEventListener("change", adopt);
   sides.addEventListener("change", adopt);
 
   function update() {
-    const { design, report, error: wrong, stale } = store.state;
+    const { design, report, error: wrong, stale, outline } = store.state;
     const { cam, length_unit: unit } = design;
     hide(root, cam.kind !== "constant-breadth");
     if (root.hidden) return;
@@ -38,7 +35,7 @@ export function createBreadthPanel(context) {
     if (cam.sides !== undefined) sides.value = String(cam.sides);
     for (const part of [sides, sidesLabel]) hide(part, cam.generator !== "circular-arc");
     const length = (/** @type {number} */ value) => format.number(value, { unit });
-    write(rule, t("breadth.rule", { breadth: format.number(cam.breadth), radius: format.number(cam.base_radius), travel: length(breadthTravel(design)) }));
+    write(rule, t("breadth.rule", { breadth: format.number(cam.breadth), radius: format.number(cam.base_radius), travel: length(outline.travel ?? 0) }));
     const own = wrong && /generator|sides/.test(wrong.path) ? wrong.message : "";
     hide(error, own === "");
     write(error, own);

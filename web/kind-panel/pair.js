@@ -48,7 +48,7 @@ export function createPairPanel(context, opener) {
     for (const key of keys) {
       const found = room(design, key);
       if (!found) continue;
-      store.edit(t("edit.pair"), (draft) => (draft.conjugate = { [key]: found.value }));
+      store.edit(t("edit.pair"), [{ op: "pair", tie: key, value: found.value }]);
       refused(false);
       update();
       shown[0]?.field.input.focus();
@@ -79,7 +79,7 @@ export function createPairPanel(context, opener) {
   }
 
   remove.addEventListener("click", () => {
-    if (store.state.design.conjugate) store.edit(t("edit.pair.removed"), (draft) => delete draft.conjugate);
+    if (store.state.design.conjugate) store.edit(t("edit.pair.removed"), [{ op: "clear", path: ["conjugate"] }]);
     refused(false);
     update();
     opener.hidden = false;
@@ -87,20 +87,13 @@ export function createPairPanel(context, opener) {
   });
   kind.addEventListener("change", () => {
     const key = /** @type {TieKey} */ (kind.value);
-    const { report } = store.state;
-    const same = key === "angle" ? report.pair_angle : report.conjugate?.mechanism.base_radius;
-    const value = same ?? room(store.state.design, key)?.value;
-    if (value === undefined) return;
-    store.edit(t("edit.pair"), (draft) => {
-      const radius = radiusKey(draft);
-      const kept = radius === null ? undefined : draft.conjugate?.[/** @type {"roller_radius"} */ (radius)];
-      draft.conjugate = { [key]: Number(value.toPrecision(12)), ...(radius !== null && kept !== undefined ? { [radius]: kept } : {}) };
-    });
+    store.edit(t("edit.pair"), [{ op: "pair", tie: key }]);
+    kind.value = tieOf(store.state.design);
   });
   advice.addEventListener("click", () => {
     if (!advised) return;
     const { key, value } = advised;
-    store.edit(t("edit.pair"), (draft) => (draft.conjugate = { ...draft.conjugate, [key]: value }));
+    store.edit(t("edit.pair"), [{ op: "pair", tie: key, value }]);
     shown[0]?.field.input.focus();
   });
 
@@ -117,7 +110,7 @@ export function createPairPanel(context, opener) {
       name: () => t(`pair.${key}`),
       unit: () => unitOf(/** @type {TieKey} */ (key)),
       read: (design) => design.conjugate?.[own] ?? (isRadius ? Number(design.follower[key]) : undefined),
-      write: (draft, value) => (draft.conjugate = { ...draft.conjugate, [own]: value }),
+      write: (value) => [{ path: ["conjugate", own], value }],
       step: (design) => (key === "angle" ? 1 : lengthStep(design)),
       path: () => `conjugate.${key}`,
       highlight: () => ({ parameter: `conjugate.${key}` }),

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::input;
-use levalab_format::{LengthUnit, Speed, SpeedUnit};
+use levalab_format::{Edit, LengthUnit, SpeedUnit, Unit};
 use levalab_words::Language;
 
 /// What to convert, and to what.
@@ -23,19 +23,12 @@ pub struct Options {
 
 /// The design file of the same cam in the other unit, or of another cam with the same numbers.
 pub fn run(options: &Options, language: Language) -> Result<String, Failure> {
-    let mut design = input::design(&options.file, language)?;
-    let refused = |error| Failure::design(&error, &options.file, language);
-    if let Some(unit) = options.unit {
-        design = if options.relabel { design.relabelled(unit) } else { design.in_unit(unit).map_err(refused)? };
-    }
-    if let Some(unit) = options.speed {
-        let Speed { value, .. } = design.speed;
-        design = design.in_speed_unit(unit).map_err(refused)?;
-        if options.relabel {
-            design.speed.value = value;
-        }
-    }
-    Ok(design.to_json())
+    let design = input::design(&options.file, language)?;
+    let units = [options.unit.map(Unit::Length), options.speed.map(Unit::Speed)];
+    let edit = |unit| if options.relabel { Edit::Relabel { unit } } else { Edit::Convert { unit } };
+    let edits: Vec<Edit> = units.into_iter().flatten().map(edit).collect();
+    let edited = design.edited(&edits).map_err(|error| Failure::design(&error, &options.file, language))?;
+    Ok(edited.to_json())
 }
 
 fn length_unit(text: &str) -> Result<LengthUnit, String> {

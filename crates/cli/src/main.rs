@@ -8,6 +8,7 @@ mod auto;
 mod check;
 mod compare;
 mod convert;
+mod edit;
 mod export;
 mod failure;
 mod input;
@@ -76,6 +77,8 @@ enum Command {
     Solve(solve::Options),
     /// Writes a file for another program: a table, a drawing or a solid.
     Export(export::Options),
+    /// Writes the design file with some changes made.
+    Edit(edit::Options),
     /// Writes the design file of the same cam in another unit.
     Convert(convert::Options),
     /// Writes the design file that does what a machine must do: dwells, lines and points, joined by the smoothest laws.
@@ -148,6 +151,7 @@ fn run(command: Command, language: Language) -> Result<ExitCode, Failure> {
         Command::Tournament { file, by } => compare::laws(&file, by, language)?,
         Command::Solve(options) => solve::run(&options, language)?,
         Command::Auto(options) => auto::run(&options, language)?,
+        Command::Edit(options) => edit::run(&options, language)?,
         Command::Convert(options) => convert::run(&options, language)?,
         Command::Link { file } => {
             let design = input::design(&file, language)?;

@@ -5,7 +5,7 @@ use crate::fields::{Field, Object};
 use crate::limits::MAX_SEGMENTS;
 use crate::report::tidy;
 use crate::write::segment_value;
-use crate::{CamKind, CamRefusal, DesignError, Path, Problem, SegmentDesign, json};
+use crate::{CamKind, CamRefusal, DesignError, Edit, Path, Problem, SegmentDesign, json};
 use levalab_core::law::{Condition, Data};
 use levalab_core::{Choice, Demand, JoinError, Segment, Taste, join};
 use serde_json::{Map, Value};
@@ -57,7 +57,7 @@ pub fn joined(value: &Value) -> Result<Joined, DesignError> {
         fields.remove(*key);
     }
     fields.insert("segments".to_owned(), serde_json::json!([{"law": "dwell", "beta": 360}]));
-    let around = Design::read_around(&Value::Object(fields.clone()))?;
+    let around = Design::draft(&Value::Object(fields))?;
     if !matches!(around.kind, CamKind::Rotating | CamKind::Grooved) {
         return Err(DesignError::at(REQUIREMENTS, CamRefusal::Unsuited { kind: around.kind.word() }));
     }
@@ -68,8 +68,7 @@ pub fn joined(value: &Value) -> Result<Joined, DesignError> {
         DesignError::at(place, Problem::Join(problem))
     })?;
     let segments: Vec<Value> = in_degrees(&joining.segments).iter().map(segment_value).collect();
-    fields.insert("segments".to_owned(), segments.into());
-    let (design, _, _) = Design::open(&Value::Object(fields))?;
+    let design = around.edited(&[Edit::set("segments", segments)])?;
     Ok(Joined { design, choices: joining.choices, taste })
 }
 

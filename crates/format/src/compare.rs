@@ -1,6 +1,6 @@
 //! Cams side by side: the figures by which designs are compared, and one program moved by every law in turn.
 
-use crate::cure::{shortest_passing, with_law};
+use crate::cure::{by_law as segment_by_law, shortest_passing};
 use crate::{CamStudy, Design, DesignError, Study};
 use levalab_core::{Cam, Column, LAWS, Law, Level, smallest_base_radius};
 
@@ -108,7 +108,7 @@ pub fn tournament(design: &Design) -> Result<Vec<Contender>, DesignError> {
 pub fn by_law(design: &Design, cam: &Cam, law: &'static Law) -> Design {
     let mut other = design.clone();
     for (k, segment) in other.segments.iter_mut().enumerate().filter(|(_, segment)| !segment.law.is_dwell()) {
-        *segment = with_law(design, cam, k, law);
+        *segment = segment_by_law(design, cam, k, law);
     }
     other
 }
@@ -136,7 +136,7 @@ mod tests {
         let mut other = design.clone();
         let whole = design.cam().ok()?;
         for (k, segment) in other.segments.iter_mut().enumerate().filter(|(_, segment)| segment.law.id != "dwell") {
-            *segment = with_law(design, &whole, k, law);
+            *segment = segment_by_law(design, &whole, k, law);
         }
         let cam = other.cam().ok()?;
         let analysis = Analysis::of(&cam, 360);

@@ -29,9 +29,50 @@ pub(crate) fn round(value: f64, digits: i32, how: fn(f64) -> f64) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }
-    let place = value.abs().log10().floor() as i32 + 1 - digits;
+    rounded_at(value, magnitude(value) + 1 - digits, how)
+}
+
+/// The power of ten of the leading digit; any size of a number, endless ones too.
+pub(crate) fn magnitude(value: f64) -> i32 {
+    /// Beyond the powers that an `f64` has.
+    const MOST: f64 = 400.0;
+    value.abs().log10().floor().clamp(-MOST, MOST) as i32
+}
+
+/// A number rounded to a multiple of 10^`place`, likewise.
+pub(crate) fn rounded_at(value: f64, place: i32, how: fn(f64) -> f64) -> f64 {
     let units = how(value / 10_f64.powi(place));
+    if !units.is_finite() {
+        return value;
+    }
     decimal(units.abs() as u128, place).copysign(value)
+}
+
+/// Digits that sums and quotients of typed decimals keep: what they leave beyond them is rounding.
+const TYPED_DIGITS: i32 = 12;
+
+/// A number without the rounding that sums and quotients leave: twelve digits of it; −0 becomes 0.
+#[must_use]
+pub fn clean(value: f64) -> f64 {
+    round(value, TYPED_DIGITS, f64::round) + 0.0
+}
+
+/// A sum or a difference of heights without that rounding, where leaving it away cannot be seen in another sum.
+pub(crate) fn clean_sum(value: f64) -> f64 {
+    let short = clean(value);
+    if (short - value).abs() <= crate::limits::SUM_ROUNDING { short } else { value }
+}
+
+/// The nearest, or the next, of 1, 1.5, 2, 2.5 … 10 times a power of ten; `value` is positive.
+pub(crate) fn half_figures(value: f64, how: fn(f64) -> f64) -> f64 {
+    /// What division may add to a number that is one of them already.
+    const ROUNDING: f64 = 1e-9;
+    if value <= 0.0 || !value.is_finite() {
+        return value;
+    }
+    let place = magnitude(value);
+    let halves = how(2.0 * value / 10_f64.powi(place) - ROUNDING);
+    decimal(5 * halves as u128, place - 1)
 }
 
 /// The `f64` nearest to `digits`·10^`power`; infinite beyond the greatest.
@@ -51,5 +92,16 @@ mod tests {
         assert_eq!(round(123_456.0, 4, f64::ceil), 123_500.0);
         assert_eq!(round(-2.345_67, 4, f64::round), -2.346);
         assert_eq!(round(0.0, 4, f64::round), 0.0);
+    }
+
+    #[test]
+    fn sizes_to_begin_with_have_half_figures() {
+        for (value, nearest, next) in
+            [(7.0, 7.0, 7.0), (67.2, 65.0, 70.0), (0.3, 0.3, 0.3), (9.8, 10.0, 10.0), (1.2, 1.0, 1.5)]
+        {
+            assert_eq!((half_figures(value, f64::round), half_figures(value, f64::ceil)), (nearest, next), "{value}");
+        }
+        assert_eq!(clean(0.1 + 0.2), 0.3);
+        assert_eq!(clean(-1e-13 * 0.0), 0.0);
     }
 }

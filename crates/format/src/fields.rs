@@ -32,15 +32,7 @@ impl Field<'_> {
     }
 
     pub fn wrong_kind(&self, expected: Kind) -> DesignError {
-        let found = match self.value {
-            Value::Null => Kind::Null,
-            Value::Bool(_) => Kind::Boolean,
-            Value::Number(_) => Kind::Number,
-            Value::String(_) => Kind::Text,
-            Value::Array(_) => Kind::List,
-            Value::Object(_) => Kind::Object,
-        };
-        DesignError::at(self.path.clone(), Problem::WrongKind { found, expected })
+        DesignError::at(self.path.clone(), Problem::WrongKind { found: kind_of(self.value), expected })
     }
 
     /// The items of a list, no more than may be.
@@ -61,6 +53,18 @@ impl Field<'_> {
             return Err(DesignError::at(self.path.clone(), problem));
         };
         Ok([at, value])
+    }
+}
+
+/// The kind of a value.
+pub(crate) fn kind_of(value: &Value) -> Kind {
+    match value {
+        Value::Null => Kind::Null,
+        Value::Bool(_) => Kind::Boolean,
+        Value::Number(_) => Kind::Number,
+        Value::String(_) => Kind::Text,
+        Value::Array(_) => Kind::List,
+        Value::Object(_) => Kind::Object,
     }
 }
 

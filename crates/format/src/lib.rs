@@ -15,6 +15,9 @@
 //! # Ok::<(), levalab_format::DesignError>(())
 //! ```
 //!
+//! A change of a design is an [`Edit`]; [`apply`] makes it, whether or not the design makes a cam on the way
+//! ([`Design::edited`] asks for one, and [`Design::outline`] says what is still missing). `docs/edits.md` lists the edits.
+//!
 //! Both formats are versioned, and every version ever published keeps opening. Laws, followers and applications are those that
 //! the core lists, and their codes in a link are in `levalab-catalogue`: a new one needs nothing here.
 //!
@@ -31,6 +34,7 @@ mod data;
 mod decimal;
 mod design;
 mod digits;
+mod edit;
 mod error;
 mod examples;
 mod fields;
@@ -42,6 +46,7 @@ mod marks;
 mod measure;
 pub mod measured;
 mod notation;
+mod outline;
 mod pair;
 mod path;
 mod read;
@@ -58,16 +63,19 @@ pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy
 pub use auto::{Joined, joined, joined_from_bytes};
 pub use catalogue::Catalogue;
 pub use compare::{Contender, Figures, by_law, tournament};
-pub use cure::{CureJob, DesignCure, Edit, Price, Remedy, apply, cures};
+pub use cure::{CureJob, DesignCure, Price, Remedy, cures};
 pub use data::{data_key, entry as data_entry};
 pub use design::{Design, SegmentDesign, Speed, motion_and_contact};
-pub use error::{CamRefusal, DataRefusal, DesignError, JsonFault, Kind, Problem, ProgramRefusal};
+pub use digits::clean;
+pub use edit::{Completion, Edit, Left, Unit, apply, apply_to_value};
+pub use error::{CamRefusal, DataRefusal, DesignError, EditRefusal, JsonFault, Kind, Problem, ProgramRefusal};
 pub use examples::{EXAMPLES, FIRST_EXAMPLE, example};
 pub use kind::{BreadthGenerator, CamKind, unsuited};
 pub use levalab_catalogue::Version;
 pub use marks::{Mark, MarkKind, marks};
 pub use measure::Measure;
 pub use notation::Notation;
+pub use outline::Outline;
 pub use pair::{Conjugate, Room};
 pub use path::{Path, PathPart, quoted};
 pub use study::{CamStudy, Study};

@@ -42,19 +42,37 @@ impl Design {
         Self::open(value).map(|(design, _, _)| design)
     }
 
-    /// A design as it stands in an object, its program not looked at.
-    pub(crate) fn read_around(value: &Value) -> Result<Self, DesignError> {
+    /// A design that is being worked on: a design file as it stands, which need not make a cam.
+    ///
+    /// # Errors
+    /// Where a field is missing, unknown or of another kind, or a list too long.
+    pub fn draft(value: &Value) -> Result<Self, DesignError> {
         read(value, Version::LATEST)
     }
 
     /// Reads a design with its cam and the second cam of a conjugate pair, since checking the design makes them.
     pub(crate) fn open(value: &Value) -> Result<WithCams, DesignError> {
-        checked(read(value, Version::LATEST)?)
+        read(value, Version::LATEST)?.with_cams()
     }
 
     /// Reads the bytes of a design file likewise.
     pub(crate) fn open_bytes(bytes: &[u8]) -> Result<WithCams, DesignError> {
         of_file(&json::parse_bytes(bytes)?)
+    }
+
+    /// The design in its canonical form, with its cams.
+    pub(crate) fn with_cams(mut self) -> Result<WithCams, DesignError> {
+        let (first, second) = self.cams()?;
+        self.settle_rises();
+        Ok((self, first, second))
+    }
+
+    /// The design in its canonical form.
+    ///
+    /// # Errors
+    /// As [`Design::cam`].
+    pub fn checked(self) -> Result<Self, DesignError> {
+        self.with_cams().map(|(design, _, _)| design)
     }
 }
 
@@ -64,13 +82,7 @@ type WithCams = (Design, Cam, Option<Cam>);
 /// A design from the object that a file holds, which has nothing that the version of the file does not know.
 fn of_file(value: &Value) -> Result<WithCams, DesignError> {
     let version = version(&Object::any(value, Path::default())?)?;
-    checked(read(value, version)?)
-}
-
-fn checked(mut design: Design) -> Result<WithCams, DesignError> {
-    let (first, second) = design.cams()?;
-    design.settle_rises();
-    Ok((design, first, second))
+    read(value, version)?.with_cams()
 }
 
 fn version(file: &Object) -> Result<Version, DesignError> {
@@ -161,7 +173,7 @@ fn read_kind(cam: &Object) -> Result<CamKind, DesignError> {
 }
 
 /// A count of sides; what is not one is refused where the sides of all polygons are.
-fn read_sides(field: &Field) -> Result<u32, DesignError> {
+pub(crate) fn read_sides(field: &Field) -> Result<u32, DesignError> {
     let found = field.number()?;
     let whole = found.fract() == 0.0 && (0.0..=f64::from(u16::MAX)).contains(&found);
     let problem = Problem::Cam(CamRefusal::Sides { found, most: f64::from(MAX_SIDES) });

@@ -38,6 +38,15 @@ impl Study {
         Ok(Self::of_cams(design, first, second, rows))
     }
 
+    /// Studies a design that is being worked on, in its canonical form.
+    ///
+    /// # Errors
+    /// Returns an error if the design is no cam.
+    pub fn of_draft(draft: Design, rows: usize) -> Result<Self, DesignError> {
+        let (design, first, second) = draft.with_cams()?;
+        Ok(Self::of_cams(design, first, second, rows))
+    }
+
     /// Studies the design in an object of the shape of a design file.
     ///
     /// # Errors

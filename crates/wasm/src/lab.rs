@@ -5,7 +5,7 @@ use crate::report::{PageReport, of_both, told_cures};
 use levalab_core::{Column, Svaj};
 use levalab_edge::{Failure, language, object};
 use levalab_format::report::scale_of;
-use levalab_format::{CamStudy, CureJob, Study};
+use levalab_format::{CamStudy, CureJob, Design, Outline, Study, clean};
 use plotters::style::RGBColor;
 use serde::Serialize;
 use std::rc::Rc;
@@ -30,6 +30,15 @@ pub struct Beside {
     pub study: Rc<Study>,
     pub colour: RGBColor,
     pub dash: Vec<f64>,
+}
+
+/// The report on a design that makes a cam, or what is wrong with it; in either case the outline of its program, unless it is no
+/// design file at all.
+#[derive(Serialize)]
+struct Answer {
+    #[serde(flatten)]
+    opened: Opened,
+    outline: Option<Outline>,
 }
 
 #[derive(Serialize)]
@@ -59,7 +68,10 @@ impl Lab {
         #[wasm_bindgen(unchecked_param_type = "Language")] words: &str,
     ) -> Result<JsValue, JsError> {
         let language = language(words);
-        object(&match Study::open(&levalab_edge::value(design), samples.clamp(1, MAX_SAMPLES)) {
+        let draft = Design::draft(&levalab_edge::value(design));
+        let outline = draft.as_ref().ok().map(Design::outline);
+        let study = draft.and_then(|draft| Study::of_draft(draft, samples.clamp(1, MAX_SAMPLES)));
+        let opened = match study {
             Ok(study) => {
                 let report = PageReport::of(&study, language);
                 self.current = Some(Rc::new(study));
@@ -67,7 +79,8 @@ impl Lab {
                 Opened::Report(Box::new(report))
             }
             Err(error) => Opened::Error(Failure::of(language, &error)),
-        })
+        };
+        object(&Answer { opened, outline })
     }
 
     /// The cures of each finding of the current cam, or of both cams of a pair, in the order of the verdict. Slower than an analysis: for when the hand rests.
@@ -112,7 +125,7 @@ impl Lab {
         self.cam(second).zip(wanted).and_then(|(cam, wanted)| cam.column(wanted)).unwrap_or_default()
     }
 
-    /// The limits of s, v, a, j (per radian, in the unit of s) before a border of the segments, and after it; empty when there is none.
+    /// The limits of s, v, a, j (per radian, in the unit of s, without the noise of rounding) before a border of the segments, and after it; empty when there is none.
     pub fn limits(&self, border: usize) -> Vec<f64> {
         self.cam(None).map_or_else(Vec::new, |cam| limits(cam, border))
     }
@@ -155,6 +168,13 @@ fn limits(study: &CamStudy, border: usize) -> Vec<f64> {
     let theta = borders.get(border).map(|&theta| if border + 1 == borders.len() { borders[0] } else { theta });
     let joint = theta.and_then(|theta| study.analysis().joints.iter().find(|joint| joint.theta == theta));
     let scale = scale_of(study.design(), Column::S);
-    let side = |motion: Svaj| (0..4).map(move |order| motion.order(order) * scale + 0.0);
+    let side = |motion: Svaj| (0..4).map(move |order| noticed(clean(motion.order(order) * scale)));
     joint.map_or_else(Vec::new, |joint| side(joint.before).chain(side(joint.after)).collect())
+}
+
+/// A derivative at a border that is smaller than this, per radian and in the unit of *s*, is rounding.
+const LIMIT_TOLERANCE: f64 = 1e-9;
+
+fn noticed(value: f64) -> f64 {
+    if value.abs() < LIMIT_TOLERANCE { 0.0 } else { value }
 }

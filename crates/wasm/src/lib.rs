@@ -6,8 +6,8 @@
 
 mod application;
 mod compare;
-mod convert;
 mod diagrams;
+mod edit;
 mod instant;
 mod lab;
 mod marks;
@@ -30,7 +30,7 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-import type { ChartStyle, ColumnName, Cure, Design, Diagram, Language, NumberReading, Opened, OpenedLink, Pairs, PlotArea, Read, Room, TableText, TieKey } from "../types.d.ts";
+import type { ChartStyle, ColumnName, Cure, Design, Diagram, Edit, Language, NumberReading, Opened, OpenedLink, Pairs, PlotArea, Read, Room, TableText, TieKey } from "../types.d.ts";
 "#;
 
 /// The room for a second cam tied in one way: a good value, and between which values it has its place (no greatest for a distance).

@@ -1,5 +1,5 @@
-//! Many random designs and damaged links through the design file and the link, random designs with all their cures, and random texts as
-//! formulas, in search of one that breaks them.
+//! Many random designs and damaged links through the design file and the link, random designs with all their cures, sequences of edits with
+//! undo and redo, and random texts as formulas, in search of one that breaks them.
 
 use anyhow::Result;
 
@@ -8,7 +8,7 @@ use crate::process::{self, run_told};
 /// How many.
 #[derive(clap::Args)]
 pub struct Options {
-    /// Random designs and damaged links to try, of each; formulas, which are quick, a million at least.
+    /// Random designs, damaged links and sequences of edits to try, of each; formulas, which are quick, a million at least.
     #[arg(long, default_value_t = SHORT)]
     count: u64,
 }
@@ -18,6 +18,9 @@ const SHORT: u64 = 100_000;
 
 /// Fewest texts tried as formulas: they take a second.
 const FORMULAS: u64 = 1_000_000;
+
+/// One sequence of edits for so many designs: twenty thousand in the test, two hundred thousand with `--count 1000000`.
+const SEQUENCES: u64 = 5;
 
 /// One design in so many is tried with all its cures, which takes hundreds of analyses: a thousand in the test, ten thousand with
 /// `--count 1000000`.
@@ -37,12 +40,14 @@ impl Default for Options {
 pub fn run(options: &Options) -> Result<()> {
     let count = options.count;
     let designs = ["--package", "levalab-format", "--test", "soak", "--", "--nocapture"];
+    let edits = ["--package", "levalab-format", "--test", "edits", "--", "--nocapture"];
     let formulas =
         ["--package", "levalab-core", "--lib", "--", "any_text_is_an_expression_or_a_refusal", "--nocapture"];
     let cures = ["--package", "levalab-format", "--test", "cures", "--", "every_cure", "--nocapture"];
     let compared = ["--package", "levalab-core", "--test", "formulas", "--", "--nocapture"];
     let all = [
         ("designs and damaged links", count, designs.as_slice()),
+        ("sequences of edits", count / SEQUENCES, &edits),
         ("formulas", count.max(FORMULAS), &formulas),
         ("designs with all their cures", count / CURED, &cures),
         ("formulas at two numbers of rows", if count > SHORT { count / COMPARED } else { 0 }, &compared),

@@ -5,6 +5,7 @@ mod auto;
 mod check;
 mod compare;
 mod convert;
+mod edit;
 mod errors;
 mod export;
 mod licenses;

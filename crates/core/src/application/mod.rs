@@ -118,6 +118,13 @@ pub struct Figure {
     pub formula: &'static str,
 }
 
+/// Applications are the entries of [`APPLICATIONS`]: the same name is the same application.
+impl PartialEq for Application {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
 impl Application {
     /// The application of that name.
     #[must_use]

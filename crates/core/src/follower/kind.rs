@@ -58,6 +58,13 @@ pub struct FollowerKind {
     pub(super) place: fn(f64, &FollowerValues) -> Placement,
 }
 
+/// Followers are the entries of [`FOLLOWERS`]: the same name is the same follower.
+impl PartialEq for FollowerKind {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
 impl FollowerKind {
     /// The kind of that name.
     #[must_use]

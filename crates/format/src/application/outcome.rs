@@ -31,6 +31,15 @@ pub struct OutputRange {
     pub per_second: Option<f64>,
 }
 
+/// The place of a target by both measures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    /// Where: degrees, or length of a cam that travels.
+    pub theta: f64,
+    /// When, seconds.
+    pub time: f64,
+}
+
 /// A point to hit, and what is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Target {
@@ -65,14 +74,26 @@ impl ApplicationDesign {
         let target = |&[at, value]: &[f64; 2]| {
             let theta = self.core_place(design, cam, at);
             let found = main.told(self.main().of(&values, cam.program.at(theta), omega));
-            let time = if self.by == TargetsBy::Time { at } else { tidy(theta / omega) };
-            let place = if self.by == TargetsBy::Theta { at } else { design.place(theta) };
-            Target { theta: place, time, value, found, error: found - value + 0.0 }
+            let Place { theta, time } = self.place(design, cam, at);
+            Target { theta, time, value, found, error: found - value + 0.0 }
         };
         Outcome {
             figures: self.application.figures.iter().map(|figure| (figure, (figure.of)(&values))).collect(),
             targets: self.targets.iter().map(target).collect(),
             outputs,
+        }
+    }
+
+    /// Where and when each target is.
+    pub(crate) fn places(&self, design: &Design, cam: &Cam) -> Vec<Place> {
+        self.targets.iter().map(|&[at, _]| self.place(design, cam, at)).collect()
+    }
+
+    fn place(&self, design: &Design, cam: &Cam, at: f64) -> Place {
+        let theta = self.core_place(design, cam, at);
+        Place {
+            theta: if self.by == TargetsBy::Theta { at } else { design.place(theta) },
+            time: if self.by == TargetsBy::Time { at } else { tidy(theta / design.omega()) },
         }
     }
 

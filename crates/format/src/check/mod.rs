@@ -3,6 +3,8 @@
 mod program;
 mod refused;
 
+pub(crate) use program::misses;
+
 use crate::limits::{ANGLE, MAX_TITLE, OFFSET, SIZE, SPEED, is_invisible, is_unfit_for_title};
 use crate::measure::to_core;
 use crate::{CamRefusal, Design, DesignError, Measure, Path, Problem, SpeedUnit};

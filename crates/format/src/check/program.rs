@@ -50,7 +50,7 @@ impl Design {
         self.check_heights()
     }
 
-    fn check_segment(&self, k: usize) -> Result<(), DesignError> {
+    pub(crate) fn check_segment(&self, k: usize) -> Result<(), DesignError> {
         let SegmentDesign { law, beta, rise, .. } = &self.segments[k];
         let (here, measure) = (Path::from("segments").join(k), self.lift());
         match self.kind.travel() {
@@ -134,7 +134,7 @@ impl Design {
     }
 
     /// The curve of a segment whose law is free, from the height at which the one before it ends.
-    fn solve(&self, free: &Free, k: usize, start: Decimal) -> Result<Solved, DataProblem> {
+    pub(crate) fn solve(&self, free: &Free, k: usize, start: Decimal) -> Result<Solved, DataProblem> {
         let segment = &self.segments[k];
         let (up, beta) = (self.lift().to_core(1.0), self.stride().to_core(segment.beta));
         let (rise, start) = (segment.rise * up, start.to_f64() * up);
@@ -184,6 +184,7 @@ impl Design {
     }
 }
 
-fn misses(difference: Decimal) -> bool {
+/// True for a difference that a sum may not miss by.
+pub(crate) fn misses(difference: Decimal) -> bool {
     difference.to_f64().abs() > SUM_TOLERANCE + SUM_ROUNDING
 }

@@ -1,15 +1,14 @@
 //! What puts a finding right, in the units of the design and in numbers that a person would write.
 
-mod edit;
+mod changes;
 
-pub(crate) use edit::with_law;
-pub use edit::{Edit, apply};
+pub(crate) use changes::by_law;
 
-use crate::Design;
 use crate::digits::{DIGITS, round, short_within, shortest};
 use crate::pair::measure_of;
 use crate::report::scale_of;
-use edit::edits;
+use crate::{Design, Edit, apply};
+use changes::edits;
 use levalab_core::{
     Analysis, Cam, Column, Cure, Finding, FindingKind, Instead, Law, Replay, Tie, believable_sizes, geometry_passes,
     prescribe_in_parts, resized, working_ties_in_parts,

@@ -2,10 +2,12 @@
 
 mod cam;
 mod data;
+mod edit;
 mod program;
 
 pub use cam::CamRefusal;
 pub use data::DataRefusal;
+pub use edit::EditRefusal;
 pub use program::ProgramRefusal;
 
 use crate::Measure;
@@ -170,11 +172,29 @@ pub enum Problem {
     Misfit(Misfit),
     /// What a kind of cam does not have.
     Cam(CamRefusal),
+    /// A change that is not possible.
+    Edit(EditRefusal),
+    /// A text that should be a path, an equals sign and a value.
+    NoAssignment {
+        /// The text.
+        found: String,
+    },
+    /// A number that is no place in a list.
+    NoIndex {
+        /// The number.
+        found: f64,
+    },
 }
 
 impl From<ProgramRefusal> for Problem {
     fn from(refusal: ProgramRefusal) -> Self {
         Self::Program(refusal)
+    }
+}
+
+impl From<EditRefusal> for Problem {
+    fn from(refusal: EditRefusal) -> Self {
+        Self::Edit(refusal)
     }
 }
 

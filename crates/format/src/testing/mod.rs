@@ -1,8 +1,10 @@
 //! Random designs for tests, from a seed.
 
+mod edits;
 mod motion;
 mod random;
 
+pub use edits::edit;
 pub use random::Random;
 
 use crate::measure::default_of;

@@ -40,6 +40,11 @@ impl Random {
         self.below(n) == 0
     }
 
+    /// A copy of one of several.
+    pub fn any<T: Copy>(&mut self, from: &[T]) -> T {
+        *self.pick(from)
+    }
+
     /// One of several.
     pub fn pick<'a, T>(&mut self, from: &'a [T]) -> &'a T {
         &from[self.below(from.len())]

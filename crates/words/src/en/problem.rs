@@ -3,7 +3,7 @@
 use super::{EN, data};
 use crate::voice::{measured, row_of};
 use levalab_core::Misfit;
-use levalab_format::{CamRefusal, JsonFault, Kind, Measure, Problem, ProgramRefusal, quoted};
+use levalab_format::{CamRefusal, EditRefusal, JsonFault, Kind, Measure, Problem, ProgramRefusal, quoted};
 
 pub(super) fn problem(problem: &Problem) -> String {
     match problem {
@@ -55,6 +55,13 @@ pub(super) fn problem(problem: &Problem) -> String {
         Problem::Join(problem) => crate::join::problem(EN, *problem),
         Problem::Misfit(problem) => misfit(*problem),
         Problem::Cam(refusal) => cam(*refusal),
+        Problem::Edit(refusal) => edit(*refusal),
+        Problem::NoAssignment { found } => {
+            format!("{} is no change; a path, an equals sign and a value are, as in cam.base_radius=36.", quoted(found))
+        }
+        Problem::NoIndex { found } => {
+            format!("A place in a list is a whole number, 0 for the first, and this is {}.", EN.exact(*found))
+        }
     }
 }
 
@@ -143,6 +150,26 @@ fn misfit(misfit: Misfit) -> String {
             let (m, needed) = (EN.exact(pivot_distance), EN.exact(needed));
             format!("From a pivot at {m} the face cannot touch the base circle: it must be at more than {needed}.")
         }
+    }
+}
+
+/// Changes that are not possible.
+fn edit(refusal: EditRefusal) -> String {
+    match refusal {
+        EditRefusal::NoItem { count: 0, .. } => "The list is empty: there is nothing at this place.".to_owned(),
+        EditRefusal::NoItem { found, count } => {
+            format!("There is nothing at place {found}; the list has {count}, counted from 0.")
+        }
+        EditRefusal::NothingLeft => "Nothing is left to fill.".to_owned(),
+        EditRefusal::LastTooShort => {
+            "The last segment is too short to give back what the segments have too much.".to_owned()
+        }
+        EditRefusal::NothingMoves => "No segment moves in such a way that it could end at another height.".to_owned(),
+        EditRefusal::NoConditions => "The law of this segment has no conditions.".to_owned(),
+        EditRefusal::NoFormula => "The law of this segment is no formula.".to_owned(),
+        EditRefusal::NoApplication => "The follower drives nothing.".to_owned(),
+        EditRefusal::NoGenerator => "Only a cam of constant breadth has a generator.".to_owned(),
+        EditRefusal::NoSecondCam => "No second cam tied in this way works.".to_owned(),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{ES, data};
 use crate::voice::{measured, row_of};
 use levalab_core::Misfit;
-use levalab_format::{CamRefusal, JsonFault, Kind, Measure, Problem, ProgramRefusal, quoted};
+use levalab_format::{CamRefusal, EditRefusal, JsonFault, Kind, Measure, Problem, ProgramRefusal, quoted};
 
 pub(super) fn problem(problem: &Problem) -> String {
     match problem {
@@ -55,6 +55,16 @@ pub(super) fn problem(problem: &Problem) -> String {
         Problem::Join(problem) => crate::join::problem(ES, *problem),
         Problem::Misfit(problem) => misfit(*problem),
         Problem::Cam(refusal) => cam(*refusal),
+        Problem::Edit(refusal) => edit(*refusal),
+        Problem::NoAssignment { found } => {
+            format!(
+                "{} no es ningún cambio; lo es una ruta, un signo igual y un valor, como cam.base_radius=36.",
+                quoted(found)
+            )
+        }
+        Problem::NoIndex { found } => {
+            format!("Un lugar de una lista es un número entero, 0 el primero, y este es {}.", ES.exact(*found))
+        }
     }
 }
 
@@ -147,6 +157,26 @@ fn misfit(misfit: Misfit) -> String {
                 "Desde una articulación a {m} la cara no puede tocar la circunferencia base: tiene que estar a más de {needed}."
             )
         }
+    }
+}
+
+/// Changes that are not possible.
+fn edit(refusal: EditRefusal) -> String {
+    match refusal {
+        EditRefusal::NoItem { count: 0, .. } => "La lista está vacía: no hay nada en este lugar.".to_owned(),
+        EditRefusal::NoItem { found, count } => {
+            format!("No hay nada en el lugar {found}; la lista tiene {count}, contados desde 0.")
+        }
+        EditRefusal::NothingLeft => "No queda nada por completar.".to_owned(),
+        EditRefusal::LastTooShort => {
+            "El último tramo es demasiado corto para devolver lo que sobra en la suma de los tramos.".to_owned()
+        }
+        EditRefusal::NothingMoves => "Ningún tramo se mueve de modo que pueda terminar a otra altura.".to_owned(),
+        EditRefusal::NoConditions => "La ley de este tramo no tiene condiciones.".to_owned(),
+        EditRefusal::NoFormula => "La ley de este tramo no es una fórmula.".to_owned(),
+        EditRefusal::NoApplication => "El seguidor no acciona nada.".to_owned(),
+        EditRefusal::NoGenerator => "Solo una leva de ancho constante tiene generador.".to_owned(),
+        EditRefusal::NoSecondCam => "Ninguna segunda leva unida de este modo sirve.".to_owned(),
     }
 }
 
