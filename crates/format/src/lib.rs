@@ -50,7 +50,6 @@ mod study;
 pub mod testing;
 mod told;
 mod units;
-mod version;
 mod write;
 
 pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy};
@@ -71,5 +70,4 @@ pub use path::{Path, PathPart, quoted};
 pub use study::{CamStudy, Study};
 pub use told::{ToldCure, ToldFinding, ToldVerdict};
 pub use units::{LengthUnit, MotionUnits, SpeedUnit};
-pub use version::needed_version;
 pub use write::FORMAT;
