@@ -51,7 +51,7 @@ pub const KINDS: &[KindRow] = &[
         name: Name {
             noun: two("plate cam", "leva de placa"),
             alone: two("plate cam", "leva de placa"),
-            menu: two("Plate", "De placa"),
+            menu: two("Plate", "Placa"),
         },
         idea: two(
             "A plate that turns under one follower, which a force or a second cam keeps on it.",
@@ -66,7 +66,7 @@ pub const KINDS: &[KindRow] = &[
         name: Name {
             noun: two("grooved cam", "leva de ranura"),
             alone: two("grooved cam", "leva de ranura"),
-            menu: two("Grooved", "De ranura"),
+            menu: two("Grooved", "Ranura"),
         },
         idea: two(
             "A disc with a groove in its face, which holds a roller from both sides.",
@@ -81,7 +81,7 @@ pub const KINDS: &[KindRow] = &[
         name: Name {
             noun: two("cam of constant breadth", "leva de anchura constante"),
             alone: two("cam of constant breadth", "leva de anchura constante"),
-            menu: two("Constant breadth", "De anchura constante"),
+            menu: two("Constant breadth", "Anchura constante"),
         },
         idea: two(
             "A plate within a yoke that touches it on both sides, at the same distance in every direction.",
@@ -96,7 +96,7 @@ pub const KINDS: &[KindRow] = &[
         name: Name {
             noun: two("translating cam", "leva de traslación"),
             alone: two("translating cam", "leva de traslación"),
-            menu: two("Translating (wedge)", "De traslación (cuña)"),
+            menu: two("Translating (wedge)", "Traslación (cuña)"),
         },
         idea: two("A wedge that travels to and fro under its follower.", "Una cuña que va y viene bajo su seguidor."),
         source: ROTHBART,

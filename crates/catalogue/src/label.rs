@@ -9,7 +9,8 @@ pub struct Name {
     pub noun: Two,
     /// Where nothing stands beside it, as in the cell of a table: `seno modificado`.
     pub alone: Two,
-    /// In a menu of such things, with a capital: `Seno modificado`.
+    /// In a menu of such things, with a capital: `Seno modificado`. The list on the page has room for some 25 letters: what stands in
+    /// parentheses may be left out.
     pub menu: Two,
 }
 

@@ -127,7 +127,7 @@ pub const LAWS: &[LawRow] = &[
                 "modified uniform (parabola, line, parabola)",
                 "uniforme modificada (parábola, recta, parábola)",
             ),
-            menu: two("Modified uniform (parabola, line, parabola)", "Uniforme modificada (parábola, recta, parábola)"),
+            menu: two("Modified uniform", "Uniforme modificada"),
         },
         idea: two(
             "A straight stretch between two arcs of parabola (modified uniform motion): the speed rises evenly over $β_1$, stays over $β_2$ and falls evenly over $β_3$.",

@@ -15,9 +15,9 @@ pub fn entry(pen: Pen, law: &Law) -> (String, String, String) {
     (law.id.to_owned(), name(pen, law), body(pen, law))
 }
 
-/// Its name, as in the menu of the page.
+/// Its name at the head of a line.
 fn name(pen: Pen, law: &Law) -> String {
-    law_row(law).map_or(law.id, |row| row.name.menu.within(pen.language)).to_owned()
+    levalab_words::capital(levalab_words::law_alone(pen.language, law))
 }
 
 fn body(pen: Pen, entry: &Law) -> String {
