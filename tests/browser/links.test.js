@@ -291,7 +291,7 @@ test("a design too long for a link takes the former one out of the address at on
   await field(page, "base_radius").fill("41");
   const former = await nextFragment(page, TABLE);
   const points = page.getByRole("textbox", { name: en("free.points", { number: 1 }), exact: true });
-  const noise = (/** @type {number} */ k) => (k === 0 ? 0 : k === 720 ? 10 : k / 72 + ((k * k * 0.618034) % 1) * 1e-3);
+  const noise = (/** @type {number} */ k) => (k === 0 ? 0 : k === 720 ? 10 : k / 72 + (1 + Math.sin(k * k)) * 1e-3);
   await points.fill(Array.from({ length: 721 }, (_, k) => `${k / 4} ${noise(k).toFixed(12)}`).join("\n"));
   await becomes(() => page.evaluate(() => location.href.includes("#")), false);
   await becomes(() => banner(page).innerText(), new RegExp(literal(en("banner.long"))));
