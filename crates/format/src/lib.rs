@@ -16,7 +16,8 @@
 //! ```
 //!
 //! Both formats are versioned, and every version ever published keeps opening. Laws and followers are those that the core
-//! lists; the only thing to add here for a new one is its letter in the link ([`link::LAW_CODES`]).
+//! lists; what is to be added here for a new one is its letter in the link ([`link::LAW_CODES`]) and the [`Version`] from which it is
+//! known.
 //!
 //! Not here: words for people, files on disk.
 
