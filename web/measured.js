@@ -67,9 +67,10 @@ export function createMeasured(context, { id, index }, left) {
   /** Asks again and shows what comes of it; the field that somebody is in keeps its text. */
   function refresh() {
     if (!bytes || !reducer) return;
-    found = reducer.measured(bytes, order, store.lastGood(), index(), store.state.language);
-    const { columns, error: refused, points, all, residual, at } = found;
-    for (const [select, chosen] of /** @type {const} */ ([[angle, found.angle], [lift, found.lift]])) {
+    const answer = /** @type {Measured} */ (reducer.measured(bytes, order, store.lastGood(), index(), store.state.language));
+    found = answer;
+    const { columns, error: refused, points, all, residual, at } = answer;
+    for (const [select, chosen] of /** @type {const} */ ([[angle, answer.angle], [lift, answer.lift]])) {
       select.replaceChildren(...columns.map(({ index: column }) => h("option", { value: column }, nameOf(column))));
       select.value = String(chosen);
     }
@@ -80,7 +81,7 @@ export function createMeasured(context, { id, index }, left) {
     write(title, t("measured.title", { number: index() + 1 }));
     const size = format.quantity(Math.abs(residual), { unit: report.units.s });
     write(status, refused ? "" : t("measured.residual", { count: points.length, all, value: size, at: format.number(at, { unit: "°" }) }));
-    write(note, refused ? "" : found.note);
+    write(note, refused ? "" : answer.note);
     write(error, refused?.message ?? "");
     hide(error, !refused);
     take.disabled = refused !== undefined;

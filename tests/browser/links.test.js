@@ -291,14 +291,14 @@ test("a design too long for a link takes the former one out of the address at on
   await field(page, "base_radius").fill("41");
   const former = await nextFragment(page, TABLE);
   const points = page.getByRole("textbox", { name: en("free.points", { number: 1 }), exact: true });
-  const noise = (/** @type {number} */ k) => (k === 0 ? 0 : k === 360 ? 10 : k / 36 + ((k * k * 0.618034) % 1) * 1e-3);
-  await points.fill(Array.from({ length: 361 }, (_, k) => `${k / 2} ${noise(k).toFixed(12)}`).join("\n"));
+  const noise = (/** @type {number} */ k) => (k === 0 ? 0 : k === 720 ? 10 : k / 72 + (1 + Math.sin(k * k)) * 1e-3);
+  await points.fill(Array.from({ length: 721 }, (_, k) => `${k / 4} ${noise(k).toFixed(12)}`).join("\n"));
   await becomes(() => page.evaluate(() => location.href.includes("#")), false);
   await becomes(() => banner(page).innerText(), new RegExp(literal(en("banner.long"))));
   assert(await page.getByRole("button", { name: en("header.share"), exact: true }).isDisabled());
   await page.reload();
   await becomes(() => field(page, "base_radius").inputValue(), "41");
-  await becomes(() => points.inputValue().then((text) => text.split("\n").length), 361);
+  await becomes(() => points.inputValue().then((text) => text.split("\n").length), 721);
   await points.fill("0 0\n90 5.5\n180 10");
   await becomes(() => fragment(page), /\.R41_10L180p0p90_5\.5p180_10L180/);
   await becomes(() => banner(page).innerText(), "");

@@ -35,7 +35,7 @@ test("361 pasted lines are kept, reduced within a residual that is shown, and ta
   assert.equal(await pointsOf(page).inputValue(), text.replaceAll("\r", ""), "the text stays as it came");
   assert.equal(await fragment(page), before, "and the design as it was");
   const status = panel.getByRole("status");
-  await becomes(() => status.innerText(), /^\d+ of 361 points\. Largest residual: 0\.00\d+ mm, at \d+°\.$/);
+  await becomes(() => status.innerText(), /^\d+ of 361 points\. Largest residual: 0\.00\d+\smm, at \d+°\.$/);
   const usual = await status.innerText();
   const count = panel.getByLabel(en("measured.count"), { exact: true });
   await count.fill("7");

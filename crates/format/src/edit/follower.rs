@@ -5,7 +5,7 @@ use super::program::scale_to;
 use crate::decimal::Decimal;
 use crate::digits::{clean, half_figures, magnitude, rounded_at};
 use crate::measure::default_of;
-use crate::{CamKind, Conjugate, Design, DesignError};
+use crate::{CamKind, CamRefusal, Conjugate, Design, DesignError, unsuited};
 use levalab_core::law::Data;
 use levalab_core::{FollowerKind, Motion, Parameter, Quantity, Tie};
 
@@ -29,7 +29,13 @@ const OF_LENGTH: f64 = 0.2;
 
 /// Another follower: parameters that both have are kept, the rest gets proportions that work. Between sliding and swinging the
 /// rises become angles at the end of the arm, or lengths there. A second cam gets a tie that works, or goes.
+///
+/// # Errors
+/// Returns an error if the kind of cam has no such follower.
 pub(super) fn change(design: &mut Design, kind: &'static FollowerKind) -> Result<(), DesignError> {
+    if let Some(key) = unsuited(design.kind.word(), kind) {
+        return Err(DesignError::at(["follower", key], CamRefusal::Unsuited { kind: design.kind.word() }));
+    }
     let pair = design.conjugate.take();
     exchange(design, kind);
     if pair.is_some() {
