@@ -56,6 +56,7 @@ mod study;
 pub mod testing;
 mod told;
 mod units;
+mod version;
 mod write;
 
 pub use application::{ApplicationDesign, Outcome, OutputRange, Target, TargetsBy};
