@@ -1,7 +1,7 @@
 /**
  * Measured data that are more than a table: which columns, how many points, and how far the table's curve then is from what was measured.
  *
- * @import { Measured, MeasuredOrder, Segment, ShellContext } from "./types.d.ts"
+ * @import { Measured, MeasuredOrder, ShellContext } from "./types.d.ts"
  * @import { Workshop } from "./workshop.js"
  */
 import { h, hide, write } from "./dom.js";
