@@ -5,7 +5,7 @@ use levalab_format::{CamStudy, Design, LengthUnit, MotionUnits, Study};
 use levalab_words::Language;
 
 /// A design with its cams, and the language in which heads, names and sentences are written.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Subject<'a> {
     /// The study of the design. Its number of rows does not matter: each table and drawing has its own.
     pub study: &'a Study,
