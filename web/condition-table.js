@@ -88,6 +88,7 @@ export function createConditionTable(context, { id, index }, law) {
       path: () => `segments[${index()}].conditions[${conditionsOf(store.state.design).findIndex((condition) => condition.at === row.at)}].at`,
       highlight,
       room: CELL,
+      late: true,
     });
     const cells = ORDERS.map((sign, order) =>
       createNumberField(context, {
@@ -101,6 +102,7 @@ export function createConditionTable(context, { id, index }, law) {
         path: () => `segments[${index()}].conditions[${find(store.state.design, row.at, order)}].value`,
         highlight,
         room: CELL,
+        signed: true,
       }),
     );
     const inherit = h("button", { type: "button", class: "inherit" });
@@ -164,7 +166,12 @@ export function createConditionTable(context, { id, index }, law) {
     for (const at of places) if (!rows.some((row) => row.at === at)) rows.push(createRow(at));
     rows.sort((a, b) => a.at - b.at);
     const roots = rows.map((row) => row.root);
-    if (roots.length !== body.children.length || roots.some((node, k) => body.children[k] !== node)) body.replaceChildren(...roots);
+    if (roots.length !== body.children.length || roots.some((node, k) => body.children[k] !== node)) {
+      const active = document.activeElement;
+      body.replaceChildren(...roots);
+      // What moves along with its row keeps the focus.
+      if (active instanceof HTMLElement && body.contains(active)) active.focus();
+    }
     for (const row of rows) {
       const [first, last] = [row.at === 0, row.at === segment.beta];
       row.place.input.disabled = first || last;

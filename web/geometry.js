@@ -57,6 +57,7 @@ export function createGeometry(context, texts) {
     label: symbol("ω"),
     name: () => t("parameter.speed"),
     unit: () => "",
+    own: () => store.state.design.speed.unit,
     read: (design) => design.speed.value,
     write: (value) => [{ path: ["speed", "value"], value }],
     step: (design) => ownStep(design.speed.value),
@@ -96,12 +97,15 @@ export function createGeometry(context, texts) {
    */
   function unitSelect(id, units) {
     const element = select(id, units);
-    element.addEventListener("change", () => askUnit(context, element, choices));
+    element.addEventListener("change", () => {
+      const field = element.closest(".field");
+      askUnit(context, element, field instanceof HTMLElement ? field : choices);
+    });
     return element;
   }
 
-  /** @param {Pick<Parameter, "key" | "symbol" | "quantity">} parameter */
-  function createField({ key, symbol: sign, quantity }) {
+  /** @param {Pick<Parameter, "key" | "symbol" | "quantity"> & { default?: number | null }} parameter */
+  function createField({ key, symbol: sign, quantity, default: usual = null }) {
     /** @param {Readonly<Design>} design */
     const home = (design) => /** @type {Record<string, unknown>} */ (OF_THE_CAM.includes(key) ? design.cam : design.follower);
     // A notation may count an eccentricity the other way: it is shown and typed so, and kept as ever.
@@ -119,6 +123,8 @@ export function createGeometry(context, texts) {
       step: (design) => (quantity === "length" ? lengthStep(design) : quantity === "angle" ? 1 : 0.05),
       path: () => `${OF_THE_CAM.includes(key) ? "cam" : "follower"}.${key}`,
       highlight: () => ({ parameter: key }),
+      // A size has no usual value; an offset and an angle have one, and may be negative.
+      signed: usual !== null,
     });
     return { key, field };
   }

@@ -7,6 +7,7 @@ import { h, hide, write as writeText } from "./dom.js";
 import { CUT, fieldText, parseNumber, restingText, sum } from "./numbers.js";
 import { notePending } from "./pending.js";
 import { factor, scrub } from "./scrub.js";
+import { relabelling, unitAsked } from "./unit-change.js";
 
 let sessions = 0;
 
@@ -25,15 +26,18 @@ const ROOM = 7;
  * @property {() => string} path        where the engine's errors point
  * @property {() => import("./types.d.ts").Highlight} highlight
  * @property {number} [room]            characters that there is room for
+ * @property {() => string} [own]       the unit that a number without one is in, where `unit` is not it
+ * @property {boolean} [signed]         may be negative: its keyboard has a minus sign on every phone
+ * @property {boolean} [late]           taken when the field is left: rows are sorted by it, and must not move while one types
  */
 
 /**
  * @param {ShellContext} context
  * @param {Options} options
  */
-export function createNumberField({ store, t }, { id, name, label, unit, read, write, clear, step, path, highlight, room = ROOM }) {
+export function createNumberField({ store, t }, { id, name, label, unit, read, write, clear, step, path, highlight, room = ROOM, own = unit, signed = false, late = false }) {
   const errorId = `${id}-error`;
-  const input = h("input", { id, type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", class: "number" });
+  const input = h("input", { id, type: "text", inputmode: signed ? "text" : "decimal", autocomplete: "off", spellcheck: "false", class: "number" });
   const unitNode = h("span", { class: "unit", id: `${id}-unit` });
   const error = h("p", { class: "error", id: errorId, hidden: true });
   const heard = h("span", { class: "unseen" });
@@ -45,12 +49,16 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   let pending = null;
   /** Why the number was not taken. @type {import("./types.d.ts").DesignError | null} */
   let refusal = null;
+  /** What was typed into a late field and is still to be taken. @type {number | undefined} */
+  let waiting;
   /** @type {number | undefined} */
   let before;
   let session = "";
 
   const current = () => read(store.state.design);
   const focused = () => document.activeElement === input;
+  /** The unit of a number without one: that which has just been chosen, while it is asked about. */
+  const readUnit = () => unitAsked(own()) ?? own();
 
   function begin() {
     session = `field:${++sessions}`;
@@ -72,7 +80,10 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
    * @param {string} gesture
    */
   function change(value, gesture) {
-    refusal = value === current() ? null : store.edit(t("edit.field", { name: name() }), write(value), { gesture, told: true });
+    // Typing on answers the question about another unit: the same numbers, in that unit.
+    const relabelled = relabelling(own());
+    if (value === current() && relabelled.length === 0) refusal = null;
+    else refusal = store.edit(t("edit.field", { name: name() }), [...relabelled, ...write(value)], { gesture, told: true });
   }
 
   let told = "";
@@ -92,6 +103,14 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
     notePending(input, pending !== null);
   }
 
+  /** @param {number} value */
+  function take(value) {
+    shown = value;
+    change(value, session);
+    // What was refused stays as it was typed, and the design as it was.
+    if (refusal) shown = current();
+  }
+
   /** @param {string} gesture */
   function empty(gesture) {
     pending = null;
@@ -102,13 +121,17 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 
   function typed() {
     if (clear && input.value.trim() === "") return empty(session);
-    const { value } = parseNumber(input.value, unit());
-    pending = value === undefined ? input.value : null;
-    if (value !== undefined) {
-      shown = value;
-      change(value, session);
-      // What was refused stays as it was typed, and the design as it was.
-      if (refusal) shown = current();
+    const { value } = parseNumber(input.value, readUnit());
+    waiting = undefined;
+    if (value === undefined) {
+      // The design keeps the value that it had: a number on its way is none.
+      pending = input.value;
+      shown = before;
+      store.cancel(session);
+    } else {
+      pending = null;
+      if (late) waiting = value;
+      else take(value);
     }
     update(store.state);
   }
@@ -117,17 +140,20 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   function key(event) {
     if (event.key === "ArrowUp" || event.key === "ArrowDown") {
       event.preventDefault();
-      const value = current();
+      const value = waiting ?? current();
       if (value === undefined) return;
       const by = step(store.state.design) * factor(event) * (event.key === "ArrowUp" ? 1 : -1);
       pending = null;
-      change(sum(value, by), session);
-      show(sum(value, by));
+      if (late) waiting = sum(value, by);
+      else change(sum(value, by), session);
+      if (late) input.value = fieldText(sum(value, by), store.state.language);
+      else show(sum(value, by));
       update(store.state);
-    } else if (event.key === "Escape" && (pending !== null || refusal || current() !== before)) {
+    } else if (event.key === "Escape" && (pending !== null || waiting !== undefined || refusal || current() !== before)) {
       event.preventDefault();
       event.stopPropagation();
       pending = refusal = null;
+      waiting = undefined;
       store.cancel(session);
       rest();
       begin();
@@ -140,6 +166,8 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
 
   /** The field at rest shows its number in the usual form; what could not be read stays as it was typed. */
   function rest() {
+    if (waiting !== undefined) take(waiting);
+    waiting = undefined;
     const value = current();
     if (pending === null && !refusal && value !== undefined) show(value);
     store.endGesture();
@@ -185,7 +213,7 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
       show(value);
     }
     const wrong = state.error !== null && state.error.path === path() ? state.error.message : null;
-    tell(pending === null ? (refusal?.message ?? wrong) : (parseNumber(pending, unit(), state.language).problem ?? null));
+    tell(pending === null ? (refusal?.message ?? wrong) : (parseNumber(pending, readUnit(), state.language).problem ?? null));
   }
 
   return {

@@ -64,6 +64,7 @@ export function createSegmentRow(context, actions) {
     path: () => `segments[${index}].rise`,
     highlight: () => ({ segment: index }),
     room: 6,
+    signed: true,
   });
   const line = h("div", { class: "line" }, grip, thumbnail.root, lawSelect, beta.input, rise.input, more);
   const root = h("li", { class: "segment" }, line, parameters, beta.error, rise.error, problem);

@@ -1,12 +1,31 @@
 /**
  * Another unit, asked plainly: the same cam in other numbers, or the same numbers of another cam.
  *
- * @import { Design, ShellContext } from "./types.d.ts"
+ * @import { Design, Edit, ShellContext } from "./types.d.ts"
  */
 import { h } from "./dom.js";
 
 /** Closes the question that is open. */
 let close = () => {};
+
+/** The unit that the open question is about, and the one that was chosen. @type {{ from: string, to: string } | null} */
+let asked = null;
+
+/**
+ * The unit chosen instead of this one, while the question about it is open.
+ * @param {string} unit
+ */
+export const unitAsked = (unit) => (asked?.from === unit ? asked.to : undefined);
+
+/**
+ * The edit that an open question about this unit stands for when somebody types a number instead of answering it.
+ * @param {string} unit
+ * @returns {Edit[]}
+ */
+export function relabelling(unit) {
+  const to = unitAsked(unit);
+  return to === undefined ? [] : [{ op: "relabel", unit: to }];
+}
 
 /**
  * The unit that a menu shows, and the value that tells what a change does to it.
@@ -33,7 +52,10 @@ export function askUnit(context, select, place) {
   const to = select.value;
 
   const root = h("div", { class: "fixes unit-question", role: "group" });
-  const unsubscribe = store.subscribe(["design", "language"], done);
+  const unsubscribe = store.subscribe(["design", "language"], (state, changed) => {
+    const same = told(state.design, speed).unit === before.unit && state.design.cam.kind === design.cam.kind;
+    if (changed.has("language") || !same) done();
+  });
   const listening = new AbortController();
 
   function done() {
@@ -43,6 +65,7 @@ export function askUnit(context, select, place) {
     delete select.dataset["asking"];
     select.value = told(store.state.design, speed).unit;
     close = () => {};
+    asked = null;
   }
 
   /** @param {() => void} act */
@@ -62,6 +85,7 @@ export function askUnit(context, select, place) {
 
   close = done;
   if (before.unit === to) return done();
+  asked = { from: before.unit, to };
 
   const read = module().edit(design, [{ op: "convert", unit: to }], store.state.language);
   /** @param {{ value: number, unit: string }} quantity */

@@ -95,10 +95,10 @@ test("a text that is no number is explained beside its field, and the last good 
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   const [sight, link] = [await picture(diagram(page, "s")), await fragment(page)];
   const radius = field(page, "base_radius");
-  for (const [text, explanation] of /** @type {const} */ ([["", "empty"], ["1.2.3", "two-signs"], ["12x", "unreadable"], ["3e", "exponent"]])) {
+  for (const [text, explanation] of /** @type {const} */ ([["", "missing"], ["1.2.3", "more than one decimal sign"], ["12x", "not a unit"], ["abc", "not a number"], ["12°", "A value in mm"], ["3e", "the exponent is missing"]])) {
     await radius.fill(text);
     assert.equal(await radius.getAttribute("aria-invalid"), "true", text);
-    await eventually(() => descriptions(radius), (told) => assert(told.includes(en(`number.${explanation}`, { text })), `"${text}" is not explained`));
+    await eventually(() => descriptions(radius), (told) => assert(told.some((sentence) => sentence?.includes(explanation)), `"${text}" is not explained: ${told}`));
   }
   await frames(page);
   assert.equal(await picture(diagram(page, "s")), sight);
@@ -112,6 +112,50 @@ test("a text that is no number is explained beside its field, and the last good 
   assert.equal(await radius.getAttribute("aria-invalid"), null);
   assert.equal(await dim(), 1);
   await nextFragment(page, link);
+});
+
+test("a number is read as it is typed in a book: a calculation, a fraction, a unit of its kind", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const radius = field(page, "base_radius");
+  for (const [text, value] of [["4 cm", "40"], ["1 1/4 in", "31.75"], ["2*20", "40"], ["100/4", "25"]]) {
+    await radius.fill(text ?? "");
+    await radius.press("Enter");
+    await becomes(() => radius.inputValue(), value);
+  }
+  const speed = field(page, "speed");
+  await speed.fill("30/pi rpm");
+  await speed.press("Enter");
+  await becomes(() => speed.inputValue(), "1");
+});
+
+test("a text that ends as no number leaves the design the value that it had", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const radius = field(page, "base_radius");
+  await radius.focus();
+  await page.keyboard.type("250 parsec");
+  await becomes(() => radius.getAttribute("aria-invalid"), "true");
+  await becomes(() => fragment(page), LINKS["9RT"]);
+  assert.equal(await radius.inputValue(), "250 parsec");
+  await becomes(() => undo(page).isDisabled(), true);
+  await radius.press("Escape");
+  await becomes(() => radius.inputValue(), "35");
+});
+
+test("a number typed after another unit was chosen is in that unit, and one undo gives both back", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  await field(page, "speed-unit").selectOption("rpm");
+  const question = page.locator(".unit-question");
+  await question.waitFor();
+  const [asked, speed] = await Promise.all([question.boundingBox(), field(page, "speed").boundingBox()]);
+  assert(asked && speed && asked.y - (speed.y + speed.height) < speed.height, "the question is not beside its field");
+  await field(page, "speed").focus();
+  await page.keyboard.type("390");
+  await becomes(() => question.count(), 0);
+  assert.equal(await field(page, "speed-unit").inputValue(), "rpm");
+  await becomes(() => fragment(page), /390m/);
+  await undo(page).click();
+  await becomes(() => fragment(page), LINKS["9RT"]);
+  assert.equal(await field(page, "speed-unit").inputValue(), "rad/s");
 });
 
 test("a cam that cannot be is explained beside its field and dimmed, and comes back", async (t) => {
@@ -368,9 +412,14 @@ test("a unit that is not wanted after all changes nothing", async (t) => {
   await unit.selectOption("in");
   await page.locator(".unit-question").waitFor();
   assert.deepEqual(await violations(page, "question of the unit"), []);
+  // Another number has nothing to do with it; a length is one in the unit that was chosen.
+  await beta(page, 1).fill("50");
+  assert.equal(await page.locator(".unit-question").count(), 1);
   await field(page, "base_radius").fill("36");
   await becomes(() => page.locator(".unit-question").count(), 0);
-  assert.equal(await unit.inputValue(), "mm");
+  assert.equal(await unit.inputValue(), "in");
+  await undo(page).click();
+  await becomes(() => unit.inputValue(), "mm");
 });
 
 test("title, unit, speed and sense of rotation are part of the design", async (t) => {

@@ -51,6 +51,29 @@ test("conditions are inherited from the neighbours, added and removed", async (t
   await becomes(() => fragment(page), /N120s0v0a0s60/);
 });
 
+test("a row of conditions stays where it is while its place is typed, and goes to its place when it is left", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS.conditions });
+  const table = page.getByRole("group", { name: en("conditions.title", { number: 1 }) });
+  await table.getByRole("button", { name: en("conditions.add") }).click();
+  const places = table.locator("input[id$='-at']");
+  const values = () => places.evaluateAll((all) => all.map((input) => (input instanceof HTMLInputElement ? input.value : "")));
+  const before = await values();
+  const own = before.findIndex((value, k) => k > 0 && value !== before.at(-1));
+  const typed = places.nth(own);
+  await typed.focus();
+  await page.keyboard.type("23,84");
+  assert.equal(await typed.inputValue(), "23,84");
+  assert.equal(await typed.evaluate((input) => input === document.activeElement), true, "the focus is lost");
+  await typed.press("Tab");
+  await eventually(values, (now) => assert(now.includes("23.84"), now.join()));
+  const sorted = (await values()).map(Number);
+  assert.deepEqual(sorted, [...sorted].sort((a, b) => a - b));
+  assert.equal((await values()).length, before.length, "a row was lost on the way");
+  // On a phone a value may be negative, a place may not.
+  assert.equal(await typed.getAttribute("inputmode"), "decimal");
+  assert.equal(await table.locator("input[id$='-s']").first().getAttribute("inputmode"), "text");
+});
+
 test("conditions that depend on each other are told beside the segment, and the last good cam stays", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS.conditions });
   for (const [sign, at] of /** @type {const} */ ([["v", "0°"], ["a", "0°"], ["v", "120°"], ["a", "120°"]])) await cell(page, sign, at, 1).fill("");
