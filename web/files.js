@@ -8,6 +8,7 @@ import { h } from "./dom.js";
 import { createMenu } from "./menu.js";
 import { onDemand } from "./on-demand.js";
 import { isSingleFile } from "./packed.js";
+import { sayWhatLeaves } from "./unfinished.js";
 
 /** Bytes of a file that are looked at: one more than a design file may have, so that a larger one is seen to be. */
 const LARGEST = 2 ** 20 + 1;
@@ -94,6 +95,7 @@ export function createFiles(context, texts, engine) {
   });
 
   save.addEventListener("click", () => {
+    sayWhatLeaves(context);
     const design = store.lastGood();
     const url = URL.createObjectURL(new Blob([engine.saveFile(design)], { type: "application/json" }));
     h("a", { href: url, download: `${fileName(design.title) || "levalab"}.lev.json` }).click();

@@ -15,6 +15,7 @@ import { createSkips } from "./skip.js";
 import { learn } from "./strings/index.js";
 import { createTexts } from "./texts.js";
 import { createTitleField } from "./title-field.js";
+import { sayWhatLeaves } from "./unfinished.js";
 
 /** @type {Theme[]} */
 const THEMES = ["system", "light", "dark"];
@@ -137,7 +138,10 @@ export async function loadSolution({ workshop }) {
 function createSolution(context, texts) {
   const button = texts.text(h("button", { type: "button", class: "quiet", id: "solve", "aria-haspopup": "dialog" }), "header.solution");
   texts.attribute(button, "title", "header.solution.hint");
-  onDemand(context, button, () => loadSolution(context), (solution) => solution.open(context));
+  onDemand(context, button, () => loadSolution(context), (solution) => {
+    sayWhatLeaves(context);
+    return solution.open(context);
+  });
   return button;
 }
 

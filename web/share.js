@@ -7,6 +7,7 @@
 import { copy } from "./clipboard.js";
 import { h } from "./dom.js";
 import { address } from "./link.js";
+import { sayWhatLeaves } from "./unfinished.js";
 
 /** Milliseconds that the confirmation stays. */
 const CONFIRMED = 2200;
@@ -15,7 +16,8 @@ const CONFIRMED = 2200;
  * @param {ShellContext} context
  * @param {Texts} texts
  */
-export function createShare({ store, t, announce }, texts) {
+export function createShare(context, texts) {
+  const { store, t, announce } = context;
   const button = texts.text(h("button", { type: "button", class: "share" }), "header.share");
   const field = h("input", { type: "text", readonly: true, class: "link-text", hidden: true });
   texts.attribute(field, "aria-label", "header.share.manual");
@@ -34,6 +36,7 @@ export function createShare({ store, t, announce }, texts) {
   }
 
   button.addEventListener("click", async () => {
+    sayWhatLeaves(context);
     const link = address(store.state.report.link);
     if (await copy(link)) return confirm(t("header.share.done"));
     field.hidden = false;

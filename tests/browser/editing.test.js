@@ -141,6 +141,22 @@ test("a text that ends as no number leaves the design the value that it had", as
   await becomes(() => radius.inputValue(), "35");
 });
 
+test("with an unfinished design on screen, what leaves the page says that it is the last valid cam", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  const said = () => page.locator("#banner").innerText();
+  for (const [unfinished, finished] of /** @type {const} */ ([["-5", "36"], ["12 parsec", "37"]])) {
+    await field(page, "base_radius").fill(unfinished);
+    await page.getByRole("button", { name: en("header.share"), exact: true }).click();
+    await becomes(said, /^What is on screen is not a cam yet/);
+    await field(page, "base_radius").fill(finished);
+    await becomes(said, "");
+  }
+  await field(page, "base_radius").fill("0");
+  await page.getByRole("button", { name: en("header.files"), exact: true }).click();
+  await page.getByRole("menuitem", { name: en("header.save"), exact: true }).click();
+  await becomes(said, /^What is on screen is not a cam yet/);
+});
+
 test("a number typed after another unit was chosen is in that unit, and one undo gives both back", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   await field(page, "speed-unit").selectOption("rpm");

@@ -8,6 +8,7 @@ import { h, symbol } from "../dom.js";
 import { FIGURES, letter, quantity, verdict } from "./cells.js";
 import { sample } from "./looks.js";
 import { MOST } from "./slate.js";
+import { isUnfinished } from "../unfinished.js";
 
 /** Symbols of the geometry, in the order in which it is told. @type {readonly [string, string][]} */
 const GEOMETRY = [["roller_radius", "Rf"], ["face_radius", "Rf"], ["eccentricity", "e"], ["arm", "A"], ["pivot_distance", "m"], ["face_offset", "f"]];
@@ -32,7 +33,8 @@ export function createSlateTable({ store, lab, t, format }, slate, say) {
 
   add.addEventListener("click", () => {
     const done = slate.pin(store.lastGood());
-    say(t(`compare.${done}`, { name: titleOf(store.lastGood()), count: slate.pins.length, most: MOST }));
+    const instead = isUnfinished({ store }) ? ` ${t("banner.unfinished")}` : "";
+    say(t(`compare.${done}`, { name: titleOf(store.lastGood()), count: slate.pins.length, most: MOST }) + instead);
   });
   back.addEventListener("click", () => {
     const pin = slate.restore();

@@ -7,6 +7,7 @@ import { h } from "../dom.js";
 import { pressOnEnter } from "../enter.js";
 import { fieldText, parseNumber } from "../numbers.js";
 import { createTexts } from "../texts.js";
+import { sayWhatLeaves } from "../unfinished.js";
 import { loadExports } from "./writers.js";
 import { picture, saveBlob } from "./save.js";
 import { dressed } from "./words.js";
@@ -30,7 +31,8 @@ const ASKS = /** @type {const} */ ({
 const TYPES = { xlsx: "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet", csv: "text/csv", dxf: "image/vnd.dxf", stl: "model/stl", svg: "image/svg+xml" };
 
 /** @param {ShellContext} context */
-export function createExportDialog({ store, t, format, announce }) {
+export function createExportDialog(context) {
+  const { store, t, format, announce } = context;
   const texts = createTexts(t);
   const heading = texts.text(h("h2", { id: "export-heading" }), "export.title");
   const about = h("p");
@@ -147,6 +149,7 @@ export function createExportDialog({ store, t, format, announce }) {
       console.warn(error);
       throw new Refusal(t("export.failed"));
     });
+    sayWhatLeaves(context);
     const { bytes, error } = made(design, wanted, store.state.language);
     if (!bytes) throw new Refusal(error);
     const chosen = kind.value;

@@ -6,6 +6,7 @@
 import { h } from "../dom.js";
 import { pressOnEnter } from "../enter.js";
 import { createTexts } from "../texts.js";
+import { sayWhatLeaves } from "../unfinished.js";
 import { reportOnPaper } from "./report.js";
 import { dressed } from "./words.js";
 
@@ -42,6 +43,7 @@ export function createPrintDialog(context) {
   pressOnEnter(fields, go);
   go.addEventListener("click", async () => {
     dialog.close();
+    sayWhatLeaves(context);
     await report.ready(Number(table.value));
     print();
   });

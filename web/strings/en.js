@@ -22,6 +22,7 @@ export const en = {
   "banner.long": "This design is too long for a link; save it as a file. The address holds no design until it is shorter.",
   "banner.panic": "Something in the calculation failed, which is a fault of LevaLab and not yours. It was started again and nothing is lost: undo the last change and go on.",
   "banner.broken": "The calculation keeps failing. Your design is safe in the address bar. The page tries again in a few seconds; should it fail once more, copy the link and load the page again.",
+  "banner.unfinished": "What is on screen is not a cam yet: this is about the last valid one, which is drawn dimmed.",
   "banner.edit": "Nothing was changed. {reason}",
   "banner.file": "The file was not opened. {reason}",
   "banner.file.unread": "The browser could not read it.",

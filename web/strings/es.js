@@ -22,6 +22,7 @@ export const es = {
   "banner.long": "Este diseño es demasiado largo para un enlace; guárdelo como archivo. La dirección no llevará ningún diseño hasta que sea más corto.",
   "banner.panic": "Ha fallado algo en el cálculo; es un defecto de LevaLab, no suyo. Se ha vuelto a arrancar y no se ha perdido nada: deshaga el último cambio y continúe.",
   "banner.broken": "El cálculo sigue fallando. Su diseño está a salvo en la barra de direcciones. La página lo intenta de nuevo dentro de unos segundos; si vuelve a fallar, copie el enlace y vuelva a cargar la página.",
+  "banner.unfinished": "Lo que hay en pantalla todavía no es una leva: esto se refiere a la última válida, que se ve atenuada.",
   "banner.edit": "No se ha cambiado nada. {reason}",
   "banner.file": "No se ha abierto el archivo. {reason}",
   "banner.file.unread": "El navegador no ha podido leerlo.",
