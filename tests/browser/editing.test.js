@@ -95,10 +95,10 @@ test("a text that is no number is explained beside its field, and the last good 
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   const [sight, link] = [await picture(diagram(page, "s")), await fragment(page)];
   const radius = field(page, "base_radius");
-  for (const [text, explanation] of /** @type {const} */ ([["", "empty"], ["1.2.3", "two-signs"], ["12x", "unreadable"], ["3e", "exponent"]])) {
+  for (const [text, explanation] of /** @type {const} */ ([["", "missing"], ["1.2.3", "more than one decimal sign"], ["12x", "not a unit"], ["abc", "not a number"], ["12°", "A value in mm"], ["3e", "the exponent is missing"]])) {
     await radius.fill(text);
     assert.equal(await radius.getAttribute("aria-invalid"), "true", text);
-    await eventually(() => descriptions(radius), (told) => assert(told.includes(en(`number.${explanation}`, { text })), `"${text}" is not explained`));
+    await eventually(() => descriptions(radius), (told) => assert(told.some((sentence) => sentence?.includes(explanation)), `"${text}" is not explained: ${told}`));
   }
   await frames(page);
   assert.equal(await picture(diagram(page, "s")), sight);
