@@ -114,9 +114,9 @@ test("an error is said again in the other language", async (t) => {
   await field(page, "base_radius").fill("-5");
   await beta(page, 1).fill("12x");
   const english = await verdict(page).innerText();
-  await page.getByText("“12x” is not a number").waitFor();
+  await page.getByText("“x” is not a unit").waitFor();
   await switchTo(page, "es");
-  await page.getByText("«12x» no es un número").waitFor();
+  await page.getByText("«x» no es una unidad").waitFor();
   await becomes(() => page.locator("html").getAttribute("lang"), "es");
   await eventually(() => verdict(page).innerText(), (now) => assert.notEqual(now, english));
 });

@@ -174,7 +174,8 @@ export function randomDesign(kind, rotation, seed) {
   /** @type {{ base_radius: number, [parameter: string]: number }} */
   const { base_radius, ...parameters } = FOLLOWERS[kind](u);
   return {
-    format: "levalab/1",
+    // The newest version that is published holds what every earlier one held.
+    format: "levalab/2",
     title: `Random ${kind} ${seed}`,
     length_unit: "mm",
     speed: { value: 1, unit: "rad/s" },

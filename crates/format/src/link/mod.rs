@@ -229,7 +229,11 @@ impl Writer {
         self.kind(design.kind);
         if let Some(Conjugate { tie, radius }) = design.conjugate {
             self.text.push_str(codes::of_tie(tie));
-            self.number(tie.value());
+            // A distance and a radius are positive, and an angle usually is.
+            if tie.value() < 0.0 {
+                self.text.push('-');
+            }
+            self.number(tie.value().abs());
             if let Some(radius) = radius {
                 self.plus();
                 self.number(radius);

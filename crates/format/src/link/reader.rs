@@ -137,7 +137,9 @@ impl<'a> Fields<'a> {
         if !self.take('k') {
             return Some(None);
         }
-        let tie = codes::tie(self.next()?)?(self.number()?);
+        let tie = codes::tie(self.next()?)?;
+        let sign = if self.take('-') { -1.0 } else { 1.0 };
+        let tie = tie(sign * self.number()?);
         let radius = if self.takes_plus() { Some(self.number()?) } else { None };
         Some(Some(Conjugate { tie, radius }))
     }

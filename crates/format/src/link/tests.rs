@@ -285,6 +285,17 @@ fn what_only_a_newer_program_knows_is_said_to_be_newer() {
     assert_eq!(decode(&sealed("2.a.R35-p7D360.T1")), Err(LinkError::Unreadable));
 }
 
+#[test]
+fn a_pair_whose_arms_stand_at_a_negative_angle_comes_back() {
+    let mut design = example("4PO").expect("4PO");
+    design.conjugate = Some(crate::Conjugate { tie: levalab_core::Tie::Angle(-5.6), radius: None });
+    let link = super::write(&design, Version::One, None);
+    assert!(link.contains("ka-5.6C"), "{link}");
+    let fields = link.strip_prefix("1.").and_then(|rest| rest.rsplit_once('.')).expect("sealed fields").0;
+    let back = super::reader::read(fields, Version::One).map(|contents| contents.design.conjugate);
+    assert_eq!(back, Ok(design.conjugate), "{link}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
     #[test]
