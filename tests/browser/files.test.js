@@ -64,7 +64,7 @@ test("a file that is wrong is refused with the place of what is wrong", async (t
     [changed((design) => (design.cam.base_radius = -1)), /cam\.base_radius/],
     [changed((design) => (design.cam.colour = "red")), /cam\.colour/],
     [changed((design) => delete design.follower.roller_radius), /follower(\.roller_radius)?/],
-    [changed((design) => (design.format = "levalab/2")), /format/],
+    [changed((design) => (design.format = "levalab/3")), /format: .*newer/],
     [changed((design) => (design.segments[0].law = "guess")), /segments\[0\]\.law/],
     [NINE.replace("35", "1e999"), /cam\.base_radius/],
     [NINE.slice(0, 100), /ends in the middle of the design, in line \d+, column \d+/],
