@@ -293,10 +293,10 @@ test("a design too long for a link takes the former one out of the address at on
   const points = page.getByRole("textbox", { name: en("free.points", { number: 1 }), exact: true });
   const noise = (/** @type {number} */ k) => (k === 0 ? 0 : k === 720 ? 10 : k / 72 + (1 + Math.sin(k * k)) * 1e-3);
   const table = Array.from({ length: 721 }, (_, k) => `${k / 4} ${noise(k).toFixed(12)}`).join("\n");
-  // As a paste gives it: `fill` would type 721 lines, one event each.
+  // All at once: `fill` would type 721 lines, one event each.
   await points.evaluate((area, text) => {
     if (area instanceof HTMLTextAreaElement) area.value = text;
-    area.dispatchEvent(new InputEvent("input", { bubbles: true, inputType: "insertFromPaste" }));
+    area.dispatchEvent(new InputEvent("input", { bubbles: true, inputType: "insertText" }));
   }, table);
   await becomes(() => page.evaluate(() => location.href.includes("#")), false);
   await becomes(() => banner(page).innerText(), new RegExp(literal(en("banner.long"))));
