@@ -7,7 +7,7 @@ import { h, hide, write as writeText } from "./dom.js";
 import { CUT, fieldText, parseNumber, restingText, sum } from "./numbers.js";
 import { notePending } from "./pending.js";
 import { factor, scrub } from "./scrub.js";
-import { relabelling, unitAsked } from "./unit-change.js";
+import { unitAsked } from "./unit-change.js";
 
 let sessions = 0;
 
@@ -54,15 +54,20 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
   /** @type {number | undefined} */
   let before;
   let session = "";
+  /** The units that typing has chosen between while this session lasts. @type {{ from: string, to: string } | null} */
+  let answer = null;
 
   const current = () => read(store.state.design);
   const focused = () => document.activeElement === input;
-  /** The unit of a number without one: that which has just been chosen, while it is asked about. */
-  const readUnit = () => unitAsked(own()) ?? own();
+  /** The unit chosen instead of the present one: asked about, or answered by typing before the text became unreadable for a moment. */
+  const chosenUnit = () => unitAsked(own()) ?? (answer?.from === own() ? answer.to : undefined);
+  /** The unit of a number without one. */
+  const readUnit = () => chosenUnit() ?? own();
 
   function begin() {
     session = `field:${++sessions}`;
     before = current();
+    answer = null;
   }
 
   /** @param {number} value */
@@ -81,8 +86,11 @@ export function createNumberField({ store, t }, { id, name, label, unit, read, w
    */
   function change(value, gesture) {
     // Typing on answers the question about another unit: the same numbers, in that unit.
-    const relabelled = relabelling(own());
-    if (value === current() && relabelled.length === 0) refusal = null;
+    const to = chosenUnit();
+    if (to !== undefined) answer = { from: own(), to };
+    /** @type {Edit[]} */
+    const relabelled = to === undefined ? [] : [{ op: "relabel", unit: to }];
+    if (value === current() && to === undefined) refusal = null;
     else refusal = store.edit(t("edit.field", { name: name() }), [...relabelled, ...write(value)], { gesture, told: true });
   }
 

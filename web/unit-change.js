@@ -1,7 +1,7 @@
 /**
  * Another unit, asked plainly: the same cam in other numbers, or the same numbers of another cam.
  *
- * @import { Design, Edit, ShellContext } from "./types.d.ts"
+ * @import { Design, ShellContext } from "./types.d.ts"
  */
 import { h } from "./dom.js";
 
@@ -16,16 +16,6 @@ let asked = null;
  * @param {string} unit
  */
 export const unitAsked = (unit) => (asked?.from === unit ? asked.to : undefined);
-
-/**
- * The edit that an open question about this unit stands for when somebody types a number instead of answering it.
- * @param {string} unit
- * @returns {Edit[]}
- */
-export function relabelling(unit) {
-  const to = unitAsked(unit);
-  return to === undefined ? [] : [{ op: "relabel", unit: to }];
-}
 
 /**
  * The unit that a menu shows, and the value that tells what a change does to it.

@@ -141,6 +141,18 @@ test("a text that ends as no number leaves the design the value that it had", as
   await becomes(() => radius.inputValue(), "35");
 });
 
+test("a calculation typed after another unit was chosen is in that unit, though it is no number on the way", async (t) => {
+  const { page } = await openStill(t, { fragment: LINKS["9RT"] });
+  await field(page, "speed-unit").selectOption("rpm");
+  await page.locator(".unit-question").waitFor();
+  await field(page, "speed").focus();
+  await page.keyboard.type("780/2");
+  await becomes(() => fragment(page), /w390m/);
+  await becomes(() => field(page, "speed-unit").inputValue(), "rpm");
+  await undo(page).click();
+  await becomes(() => fragment(page), LINKS["9RT"]);
+});
+
 test("with an unfinished design on screen, what leaves the page says that it is the last valid cam", async (t) => {
   const { page } = await openStill(t, { fragment: LINKS["9RT"] });
   const said = () => page.locator("#banner").innerText();
