@@ -1,7 +1,7 @@
 //! The row of every application. To add an application, add its row here; see *How to add an application* in `ARCHITECTURE.md`.
 
 use crate::check::{has_one_row_in_the_catalogue, have_codes_of_their_own};
-use crate::label::find;
+use crate::label::{find, labels_of};
 use crate::{Label, Name, Two, Version, two};
 use levalab_core::application::Application;
 
@@ -138,13 +138,7 @@ static PARTS: [&[PartName]; APPLICATIONS.len()] = {
 };
 
 const fn labels() -> [Label; APPLICATIONS.len()] {
-    let mut labels = [Label::NONE; APPLICATIONS.len()];
-    let mut k = 0;
-    while k < APPLICATIONS.len() {
-        labels[k] = Label::of(APPLICATIONS[k].id, APPLICATIONS[k].link, APPLICATIONS[k].since, &APPLICATIONS[k].name);
-        k += 1;
-    }
-    labels
+    labels_of!(APPLICATIONS)
 }
 
 const _: () = {

@@ -1,7 +1,7 @@
 //! The row of every follower. To add a follower, add its row here; see *How to add a follower* in `ARCHITECTURE.md`.
 
 use crate::check::{has_one_row_in_the_catalogue, have_codes_of_their_own};
-use crate::label::find;
+use crate::label::{find, labels_of};
 use crate::{Label, Name, Two, Version, two};
 use levalab_core::FollowerKind;
 
@@ -214,13 +214,7 @@ pub const FOLLOWERS: &[FollowerRow] = &[
 static LABELS: [Label; FOLLOWERS.len()] = labels();
 
 const fn labels() -> [Label; FOLLOWERS.len()] {
-    let mut labels = [Label::NONE; FOLLOWERS.len()];
-    let mut k = 0;
-    while k < FOLLOWERS.len() {
-        labels[k] = Label::of(FOLLOWERS[k].id, FOLLOWERS[k].link, FOLLOWERS[k].since, &FOLLOWERS[k].name);
-        k += 1;
-    }
-    labels
+    labels_of!(FOLLOWERS)
 }
 
 const _: () = {

@@ -1,14 +1,14 @@
 //! The row of every kind of cam.
 
 use crate::check::{have_codes_of_their_own, is_same};
-use crate::label::find;
+use crate::label::{find, labels_of};
 use crate::{Label, Name, Two, Version, two};
 
 /// A kind of cam.
 pub struct KindRow {
     /// Its word in design files.
     pub id: &'static str,
-    /// Its letter in a link; that of the usual kind is left out.
+    /// The letter of the kind in a link; empty for a rotating cam, the usual kind.
     pub link: &'static str,
     /// The first version of file and link that knows it.
     pub since: Version,
@@ -106,13 +106,7 @@ pub const KINDS: &[KindRow] = &[
 static LABELS: [Label; KINDS.len()] = labels();
 
 const fn labels() -> [Label; KINDS.len()] {
-    let mut labels = [Label::NONE; KINDS.len()];
-    let mut k = 0;
-    while k < KINDS.len() {
-        labels[k] = Label::of(KINDS[k].id, KINDS[k].link, KINDS[k].since, &KINDS[k].name);
-        k += 1;
-    }
-    labels
+    labels_of!(KINDS)
 }
 
 const _: () = have_codes_of_their_own(&labels());

@@ -5,9 +5,9 @@ use crate::Two;
 /// A name in the forms in which it is shown.
 #[derive(Clone, Copy, Debug)]
 pub struct Name {
-    /// Within a sentence: beside the word *law* for a law (`cycloidal`, `de seno modificado`), as a noun for other things.
+    /// The form within a sentence: for a law, the form next to the word *law* (`cycloidal`, `de seno modificado`); for other things, the noun.
     pub noun: Two,
-    /// Where nothing stands beside it, as in the cell of a table: `seno modificado`.
+    /// The form for a place without other words, such as the cell of a table: `seno modificado`.
     pub alone: Two,
     /// In a menu of such things, with a capital: `Seno modificado`. The list on the page has room for some 25 letters: what stands in
     /// parentheses may be left out.
@@ -60,7 +60,7 @@ pub struct Label {
     pub since: Version,
     /// The name within a sentence.
     pub noun: Two,
-    /// The name where nothing stands beside it.
+    /// The name for a place without other words.
     pub alone: Two,
 }
 
@@ -75,6 +75,20 @@ impl Label {
         Self { id: "", link: "", since: Version::One, noun: empty, alone: empty }
     };
 }
+
+/// The labels of a list of rows, in the order of the rows; usable in constants, where no trait can be called.
+macro_rules! labels_of {
+    ($rows:expr) => {{
+        let mut labels = [crate::Label::NONE; $rows.len()];
+        let mut k = 0;
+        while k < $rows.len() {
+            labels[k] = crate::Label::of($rows[k].id, $rows[k].link, $rows[k].since, &$rows[k].name);
+            k += 1;
+        }
+        labels
+    }};
+}
+pub(crate) use labels_of;
 
 /// The label of that id.
 pub(crate) fn find(labels: &'static [Label], id: &str) -> Option<&'static Label> {

@@ -1,7 +1,7 @@
 //! The row of every law. To add a law, add its row here; see *How to add a law* in `ARCHITECTURE.md`.
 
 use crate::check::{has_one_row_in_the_catalogue, have_codes_of_their_own};
-use crate::label::find;
+use crate::label::{find, labels_of};
 use crate::{Label, Name, Two, Version, two};
 use levalab_core::Law;
 use levalab_core::law::{CIRCULAR_ARC, Group};
@@ -20,7 +20,7 @@ pub struct LawRow {
     pub idea: Two,
     /// When to take it, and when not.
     pub advice: Two,
-    /// Formulas of a law whose curve depends on data, each on a line; those of other laws are printed from their curves.
+    /// Formulas of a law whose curve depends on given data, one per line; empty for other laws, whose formulas are printed from their curves.
     pub formulas: &'static [&'static str],
     /// The book; `None` for a derivation of our own.
     pub source: Option<&'static str>,
@@ -678,13 +678,7 @@ pub const LAWS: &[LawRow] = &[
 static LABELS: [Label; LAWS.len()] = labels();
 
 const fn labels() -> [Label; LAWS.len()] {
-    let mut labels = [Label::NONE; LAWS.len()];
-    let mut k = 0;
-    while k < LAWS.len() {
-        labels[k] = Label::of(LAWS[k].id, LAWS[k].link, LAWS[k].since, &LAWS[k].name);
-        k += 1;
-    }
-    labels
+    labels_of!(LAWS)
 }
 
 const _: () = {

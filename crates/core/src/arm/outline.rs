@@ -12,7 +12,7 @@ const MIN_PLACES: usize = 720;
 /// Sides of the profile that share one bounding circle: about the square root of their number, which needs the fewest comparisons.
 const BLOCK: usize = 24;
 
-/// Parts of a block of sides, each with a bounding circle of its own inside that of the block.
+/// Number of parts into which a block of sides is divided; each part has a bounding circle, within the bounding circle of the block.
 const PARTS: usize = 4;
 
 /// Arms at neighbouring places that are compared with a bounding circle together.
