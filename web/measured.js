@@ -76,7 +76,7 @@ export function createMeasured(context, { id, index }, left) {
     }
     const { language, report } = store.state;
     if (document.activeElement !== count) count.value = refused ? "" : String(points.length);
-    if (document.activeElement !== within) within.value = refused ? "" : fieldText(Number(Math.abs(residual).toPrecision(2)), language);
+    if (document.activeElement !== within) within.value = refused ? "" : fieldText(rounded(Math.abs(residual)), language);
     write(unit, report.units.s);
     write(title, t("measured.title", { number: index() + 1 }));
     const size = format.quantity(Math.abs(residual), { unit: report.units.s });
@@ -203,4 +203,13 @@ export function createMeasured(context, { id, index }, left) {
       refresh();
     },
   };
+}
+
+/**
+ * Two digits of a residual, rounded up: a bound that the curve keeps.
+ * @param {number} residual
+ */
+function rounded(residual) {
+  const near = Number(residual.toPrecision(2));
+  return near >= residual ? near : Number((near + 10 ** (Math.floor(Math.log10(residual)) - 1)).toPrecision(2));
 }

@@ -37,6 +37,9 @@ test("361 pasted lines are kept, reduced within a residual that is shown, and ta
   const status = panel.getByRole("status");
   await becomes(() => status.innerText(), /^\d+ of 361 points\. Largest residual: 0\.00\d+\smm, at \d+°\.$/);
   const usual = await status.innerText();
+  // The bound that stands in its field is one that the curve keeps.
+  const bound = Number(await panel.getByLabel(en("measured.within"), { exact: true }).inputValue());
+  assert(bound >= Number(/residual: ([\d.]+)/.exec(usual)?.[1]) && bound < 0.01, `${bound} in the field of: ${usual}`);
   const count = panel.getByLabel(en("measured.count"), { exact: true });
   await count.fill("7");
   await eventually(() => status.innerText(), (now) => assert(now.startsWith("7 of 361") && now !== usual, now));
